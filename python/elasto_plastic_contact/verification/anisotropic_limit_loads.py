@@ -4,7 +4,7 @@
 
 import math
 
-from .equilibrium import AROUND_CONTACT, BOUND, HELD_BLOCK, coarse_and_fine, order, verify_energies, verify_interval
+from .equilibrium import AROUND_CONTACT, AROUND_SPHERE, BOUND, HELD_BLOCK, coarse_and_fine, order, verify_energies, verify_interval
 from .yield_criteria import coefficients, hill
 
 STRIP = "limit_load/strip_punch_rolled.prm"
@@ -163,12 +163,12 @@ def hill_error_bound(runner):
     cylinder, sphere = "cylinder_2d.prm", "error_bound/sphere.prm"
     of_sphere = ("Loading/Control=depth", "Loading/Depth=0.1", "Material/Yield stress=2000", "Geometry/Local refinements=3")
     film = hill((1.0, 1.2, 1.0, 0.8, 1.0, 0.8))  # the same in all directions across the axis
-    # (The first mesh of the cylinder is fine where the stresses are large.)
+    # (The first meshes are fine where the stresses are large.)
     for case, law, body, first_mesh, n_meshes, adapted, width in (
             (cylinder, "isotropic hardening", hill((1.0, 1.2, 0.9, 0.7, 1.0, 1.0)),
              (*AROUND_CONTACT, "Geometry/Local refinements=2", "Geometry/Local radius=1"), 2,
              (*AROUND_CONTACT, "Refinement/Number of cycles=2"), 0.1),
-            (sphere, "perfectly plastic", (*of_sphere, *film), ("Geometry/Initial refinements=2",), 3,
+            (sphere, "perfectly plastic", (*of_sphere, *film), AROUND_SPHERE, 2,
              ("Refinement/Number of cycles=3",), 0.1)):
         entries = (f"Material/Law={law}", *body)
         title = f"{case}, {law}"

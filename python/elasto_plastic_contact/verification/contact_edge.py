@@ -4,6 +4,7 @@
 
 import math
 
+from .contact_law_bodies import SHAPES, uniform_mesh
 from .smooth_curves import waves
 
 CASE = "indentation/cone_smooth_curve.prm"
@@ -43,12 +44,12 @@ def mean_forces(steps):
 
 
 def contact_mesh(runner):
-    """Sphere and cone on meshes that follow the edge of the contact: smooth curves, and the area of a finer mesh."""
-    for case, depth in (("sphere", 0.002), ("cone", 0.02)):
-        steps, finer = (
-            runner.history(f"indentation/{case}_axisymmetric.prm", f"Loading/History=1: depth {depth}",
-                           f"Refinement/Elements over contact radius={n}", f"Loading/Number of steps={n_steps}")
-            for n, n_steps in ((20, 30), (40, 20)))
+    """Sphere and cone on meshes that follow the edge of the contact: smooth curves, and the area of a finer, uniform mesh."""
+    for case, shape in SHAPES.items():
+        depth = shape.depth
+        steps, finer = (runner.history(shape.case, f"Loading/History=1: depth {depth}", *entries) for entries in (
+            ("Refinement/Elements over contact radius=20", "Loading/Number of steps=30"),
+            (*uniform_mesh(case, 40), "Loading/Number of steps=24")))
         last = [step for step in steps if step["depth"] > depth / 3]
         for name, allowed in (("force", 0.003), ("contact_area", 0.01)):
             deviation = deviation_from_polynomial([step["depth"] for step in last], [step[name] for step in last])

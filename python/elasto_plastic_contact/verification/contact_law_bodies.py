@@ -4,6 +4,8 @@
 
 from dataclasses import dataclass
 
+from ..program import as_text
+
 # Sides of the box, and how far the smallest cells reach, over the final contact radius.
 SIDE, UNIFORM = 64, 1.5
 N_LOCAL = 6
@@ -42,6 +44,11 @@ def mesh(radius, n_elements, dim, side=SIDE, n_local=N_LOCAL):
             "Geometry/Repetitions": (coarse,) * dim, "Geometry/Initial refinements": halvings - n_local,
             "Geometry/Local refinements": n_local, "Geometry/Local radius": UNIFORM * radius * 2 ** (n_local - 1),
             "Refinement/Elements over contact radius": 0}
+
+
+def uniform_mesh(name, n_elements):
+    """The mesh for the sphere or the cone in revolution, as the command line takes it."""
+    return [f"{path}={as_text(value)}" for path, value in mesh(SHAPES[name].radius, n_elements, 2).items()]
 
 
 def plastic_body(shape, n_elements, dim):

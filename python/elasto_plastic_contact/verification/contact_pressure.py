@@ -4,9 +4,8 @@
 
 import math
 
-from .contact_law_bodies import SHAPES, mesh
+from .contact_law_bodies import uniform_mesh
 from .runner import E_STAR
-from ..program import as_text
 
 SPHERE = "indentation/sphere_axisymmetric.prm"
 LOADING = ("Loading/History=1: depth 0.002", "Loading/Number of steps=20", "Output/Surface profile=every step")
@@ -23,16 +22,12 @@ def contact_pressure(runner):
     tables = runner.tables(SPHERE, *LOADING, "Discretization/Polynomial degree=2", "Loading/Number of steps=9",
                            "Refinement/Elements over contact radius=10")
     runner.compare("quadratic, plastic, 10 elements: scatter over the mean pressure", scatter(tables), 0, 0.03, absolute=True)
+    # (On the ready mesh, whose smallest elements follow the edge, large steps and changes of the mesh leave marks.)
     for degree, name in enumerate(DEGREES, 1):
-        tables = runner.tables(SPHERE, *LOADING, *uniform_mesh(20 // degree), f"Discretization/Polynomial degree={degree}")
+        tables = runner.tables(SPHERE, *LOADING, *uniform_mesh("sphere", 20 // degree),
+                               f"Discretization/Polynomial degree={degree}")
         runner.compare(f"{name}, plastic, uniform mesh: scatter over the mean pressure", scatter(tables), 0, 0.03,
                        absolute=True)
-
-
-def uniform_mesh(n_elements):
-    """So many elements over the contact radius. (On the ready mesh, whose smallest elements follow the edge, large steps
-    and changes of the mesh leave marks.)"""
-    return [f"{path}={as_text(value)}" for path, value in mesh(SHAPES["sphere"].radius, n_elements, 2).items()]
 
 
 def late(tables):

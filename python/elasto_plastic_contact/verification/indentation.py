@@ -173,7 +173,7 @@ def sectors(runner):
 
 def pyramid_sectors(runner):
     """Vickers' and Berkovich's pyramids, finite strains: a sector, and twice of it."""
-    loading = ("Geometry/Initial refinements=2", "Loading/History=1: depth 0.002", "Loading/Number of steps=4")
+    loading = ("Geometry/Initial refinements=1", "Loading/History=1: depth 0.002", "Loading/Number of steps=2")
     for name, case, angle, planes in (("Vickers", "indentation/vickers_sector.prm", 90, "front"),
                                       ("Berkovich", "indentation/berkovich_sector.prm", 60, "front, back")):
         part = runner.history(case, *loading, f"Geometry/Sector angle={angle}")[-1]

@@ -177,8 +177,7 @@ def circular_footings(runner):
 
     order = [footing(f"{surface} footing, {degrees} degrees", difference, five, f"Material/Friction angle={degrees}",
                      f"Indenter/Surface={surface}") for degrees, surface, difference in (
-                         (10, "smooth", 0.038), (10, "rough", 0.047), (20, "smooth", 0.042), (20, "rough", 0.052),
-                         (30, "smooth", 0.049), (30, "rough", 0.067))]
+                         (10, "smooth", 0.038), (10, "rough", 0.047), (30, "smooth", 0.049), (30, "rough", 0.067))]
     for smaller, larger in zip(order[::2], order[2::2]):
         runner.verify(f"less than with more friction: {smaller['upper_bound']:.6g} < {larger['lower_bound']:.6g}",
                       smaller["upper_bound"] < larger["lower_bound"])
