@@ -145,9 +145,10 @@ namespace
     const std::string onwards = "1: depth 0.1 | 2: depth 0.3";
     print(onwards, "");
     print(onwards, "1: 0 | 2: 0.5");
-    print("1: depth 0.1 | 2: strain rate 0.5 | 3: depth 0.4 | 4: force 2 | 5: "
-          "force 1.5 | 6: hold | 7: force 1",
-          "");
+    print(
+      "1: depth 0.1 | 2: strain rate 0.5 | 3: depth 0.4 | 4: force 2 | 5: "
+      "force 1.5 | 6: hold | 7: force 1",
+      "");
   }
 
 
