@@ -3,7 +3,8 @@
 
 // Profiles of all indenters that are not read from a file, against exact
 // values: a Pythagorean triple for the circles, 45 degrees for the flanks. Then
-// place, gap and reach, and what the parameters refuse.
+// place, gap and reach, how their contact grows, and what the parameters
+// refuse.
 
 #include <deal.II/base/mpi.h>
 
@@ -145,6 +146,39 @@ print_gaps()
 
 
 
+template <int dim>
+void
+print_growth(const std::string &type, const double initial_gap = 0)
+{
+  PlacedIndenter<dim> indenter;
+  indenter.shape       = make_indenter<dim>(shape(type)).shape;
+  indenter.initial_gap = initial_gap;
+  std::cout << "  " << type << ", gap " << initial_gap << ":";
+  for (const auto &[depth, next] : {std::pair(1., 2.),
+                                    std::pair(2., 1.),
+                                    std::pair(0., 1.),
+                                    std::pair(6., 7.)})
+    std::cout << ' ' << indenter.growth_of_contact(depth, next);
+  std::cout << std::endl;
+}
+
+
+
+template <int dim>
+void
+print_growths()
+{
+  std::cout << "Growth of the contact in " << dim
+            << " dimensions, depth 1 to 2, 2 to 1, 0 to 1, 6 to 7" << std::endl;
+  for (const std::string type :
+       {"sphere", "paraboloid", "cylinder", "cone", "circular punch", "none"})
+    print_growth<dim>(type);
+  print_growth<dim>("cone", 0.5);
+  print_growth<dim>("cone", 0.9);
+}
+
+
+
 void
 print_errors()
 {
@@ -207,6 +241,8 @@ main(int argc, char **argv)
                      Point<2>(3, 4),
                      Point<2>(4, 4)});
   print_gaps();
+  print_growths<2>();
+  print_growths<3>();
   print_errors();
   print_defaults();
 }

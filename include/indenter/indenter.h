@@ -162,6 +162,13 @@ namespace ElastoPlastic
     double initial_gap = 0;
     /// The horizontal distance from the tip up to which contact is looked for.
     double reach = 0;
+
+    /// By what factor the contact grows in each direction from one @p depth to
+    /// the @p next if it keeps its shape: by that of the indenter where the
+    /// undeformed surface cuts it. 3 at most; 1 if the contact does not grow,
+    /// is no bounded one, or that of an indenter that is not convex.
+    double
+    growth_of_contact(const double depth, const double next) const;
   };
 
 

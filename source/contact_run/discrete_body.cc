@@ -254,6 +254,7 @@ namespace ElastoPlastic
 // The rest of the class, which is compiled and instantiated as a whole:
 #include "discrete_body_checkpoint.cc"
 #include "discrete_body_initial_stress.cc"
+#include "discrete_body_start.cc"
 #include "discrete_body_step.cc"
 
 namespace ElastoPlastic

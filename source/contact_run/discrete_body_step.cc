@@ -3,45 +3,12 @@
 
 // What happens to the body in a load step.
 
-#include <cmath>
-
 #include "contact_run/contact_problem.h"
 #include "contact_run/discrete_body.h"
-#include "mechanics/stretched_field.h"
 #include "mesh/body_size.h"
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// Beyond that the last step says nothing about the next.
-    constexpr double largest_growth = 3.;
-
-    /// By what factor the contact with a convex @p indenter grows from one
-    /// @p depth to the @p next if it keeps its shape: by that of the indenter
-    /// where the undeformed surface cuts it. 1 if it does not grow, and
-    /// largest_growth at most.
-    template <int dim>
-    double
-    growth_of_contact(const PlacedIndenter<dim> &indenter,
-                      const double               depth,
-                      const double               next)
-    {
-      const double tip = depth - indenter.initial_gap;
-      if (!indenter.shape || !indenter.shape->is_convex() || !(tip > 0.) ||
-          !(next > depth))
-        return 1.;
-      const double area = indenter.shape->section_area(tip);
-      return area > 0. ? std::min(largest_growth,
-                                  std::sqrt(indenter.shape->section_area(
-                                              tip + next - depth) /
-                                            area)) :
-                         1.;
-    }
-  } // namespace
-
-
-
   template <int dim>
   void
   DiscreteBody<dim>::begin_step(const double begin,
@@ -59,41 +26,6 @@ namespace ElastoPlastic
   DiscreteBody<dim>::go_on(const LastStep &last, const double duration)
   {
     solid_body.go_on(duration, last.duration);
-  }
-
-
-
-  // The rates of a contact that grows are those at the places that have been
-  // where things are now, seen from its edge (doc/theory, "Load histories").
-  template <int dim>
-  void
-  DiscreteBody<dim>::extrapolate(const LastStep &last, const double duration)
-  {
-    TimerOutput::Scope scope(timer, "Prediction");
-    if (contact_set.is_force_driven())
-      contact_set.place(last.result.depth + duration * last.depth_rate);
-    const auto way = sideways_position(last.result.time + duration) -
-                     sideways_position(last.result.time);
-    const double growth = way.norm() == 0. ?
-                            growth_of_contact(model.indenter,
-                                              last.result.depth,
-                                              contact_set.depth()) :
-                            1.;
-    if (growth == 1.)
-      {
-        u.add(duration, last.displacement_rate);
-        return;
-      }
-    Point<dim> centre;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      centre[d] = gap.position()[d];
-    centre[dim - 1] = gap.value(centre) - model.indenter.initial_gap;
-    u.add(duration,
-          stretched_field(last.displacement_rate,
-                          growth,
-                          centre,
-                          unknowns,
-                          held.constraints()));
   }
 
 
@@ -178,41 +110,6 @@ namespace ElastoPlastic
     solid_body.predict_flow(u, u);
     last.displacement = u;
     last.forces       = forces_of_stresses();
-  }
-
-
-
-  template <int dim>
-  void
-  DiscreteBody<dim>::return_to(const LastStep &last)
-  {
-    if (last.is_virgin())
-      u = 0.;
-    else
-      u = last.displacement;
-    solid_body.begin_step(0.);
-    solid_body.predict_flow(u, u);
-    contact_set.deactivate_all();
-    place_indenter(last.result.time, last.result.depth);
-    contact_set.begin_step(u, last.result.depth, {});
-    contact_set.activate_touching(u);
-  }
-
-
-
-  template <int dim>
-  void
-  DiscreteBody<dim>::drop_forces_without_support()
-  {
-    VectorType can_be_held;
-    solid_body.initialize_vector(can_be_held);
-    held.set_fixed_entries(can_be_held, 1.);
-    for (const unsigned int i : contact_set.force_entries())
-      can_be_held.local_element(i) = 1.;
-
-    solid_body.internal_forces(residual_forces, u);
-    residual_forces.sadd(-1., 1., loads);
-    residual_forces.scale(can_be_held);
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -137,6 +138,28 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  double
+  PlacedIndenter<dim>::growth_of_contact(const double depth,
+                                         const double next) const
+  {
+    constexpr double largest = 3.;
+
+    const double tip = depth - initial_gap;
+    if (!shape || !shape->is_convex() || !(tip > 0.) || !(next > depth))
+      return 1.;
+    const double area = shape->section_area(tip);
+    return area > 0. ?
+             std::min(largest,
+                      std::sqrt(shape->section_area(tip + next - depth) /
+                                area)) :
+             1.;
+  }
+
+
+
   template class Indenter<2>;
   template class Indenter<3>;
+  template struct PlacedIndenter<2>;
+  template struct PlacedIndenter<3>;
 } // namespace ElastoPlastic
