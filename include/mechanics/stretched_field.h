@@ -16,10 +16,10 @@ namespace ElastoPlastic
 
   /// @p field stretched about @p centre by this @p factor: at the node x, its
   /// value at centre + (x - centre) / factor; where that is outside of the
-  /// body, a value nearby, which may be another on another number of ranks. A
-  /// field of elements FE_Q^dim that satisfies @p constraints; so does the
-  /// result. Exact where cells are parallelepipeds, otherwise up to a part of a
-  /// cell. A node looks through the cells between itself and that place.
+  /// body, a value nearby. A field of elements FE_Q^dim that satisfies
+  /// @p constraints; so does the result. Exact where cells are parallelepipeds,
+  /// otherwise up to a part of a cell. A node looks through the cells between
+  /// itself and that place, from rank to rank.
   /// Collective.
   template <int dim>
   VectorType

@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping_q1.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/grid_tools_cache.h>
+#include <deal.II/grid/cell_id.h>
 
 #include <boost/serialization/utility.hpp>
 
@@ -24,8 +22,8 @@ namespace ElastoPlastic
   {
     /// A point so near to a cell, in units of its size, is inside.
     constexpr double rounding = 1e-9;
-    /// Who has crossed so many cells goes in a ring around an edge of distorted
-    /// ones, and stays where he is.
+    /// What has crossed so many cells, or ranks, goes in a ring around an edge
+    /// of distorted ones, and stays where it is.
     constexpr unsigned int longest_way = 1000;
 
     using Indices = std::vector<types::global_dof_index>;
@@ -33,8 +31,6 @@ namespace ElastoPlastic
     template <int dim>
     using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-    template <int dim>
-    using IndexedPoint = std::pair<unsigned int, Point<dim>>;
 
     /// The face between @p cell and a neighbour beyond which this @p place of
     /// the unit cell is farthest, or an invalid number if there is none.
@@ -77,42 +73,45 @@ namespace ElastoPlastic
 
 
 
-    /// Goes from @p cell straight to the cell that has @p point inside. @return
-    /// where it is on the unit cell, or the next place there, if the way ends
-    /// at the boundary of the body, or of what this rank knows of it (at an
-    /// artificial cell), or between two cells each of which takes it for inside
-    /// of the other: the affine approximations of cells that are no
-    /// parallelepipeds leave gaps.
+    /// Goes from @p cell straight to the cell that has @p point inside, or to
+    /// the boundary of the body before it, or to one of two cells each of which
+    /// takes it for inside of the other: the affine approximations of cells
+    /// that are no parallelepipeds leave gaps. @return whether the way ends in
+    /// @p cell; otherwise that is a ghost cell, and only its owner knows where
+    /// it leads on.
     template <int dim>
-    Point<dim>
+    bool
     walk_to(const Point<dim> &point, Cell<dim> &cell)
     {
-      Point<dim> place;
-      Cell<dim>  last = cell;
-      for (unsigned int n = 0; n < longest_way && !cell->is_artificial(); ++n)
+      Cell<dim> last = cell;
+      for (unsigned int n = 0; n < longest_way; ++n)
         {
-          place = cell->real_to_unit_cell_affine_approximation(point);
-          const unsigned int face = face_towards<dim>(place, cell);
+          const unsigned int face = face_towards<dim>(
+            cell->real_to_unit_cell_affine_approximation(point), cell);
           if (face == numbers::invalid_unsigned_int)
-            break;
+            return true;
           const Cell<dim> next = neighbour<dim>(cell, face, point);
           if (next == last)
-            break;
+            return true;
+          if (next->is_artificial())
+            return false;
           last = std::exchange(cell, next);
         }
-      return GeometryInfo<dim>::project_to_unit_cell(place);
+      return true;
     }
 
 
 
-    /// The value of a field at this place of the unit cell; @p values are
-    /// known on ghost cells, too.
+    /// The value of a field at @p point, if that is in @p cell, or else at the
+    /// next place there; @p values are known on ghost cells, too.
     template <int dim>
     Tensor<1, dim>
     value_at(const VectorType &values,
              const Cell<dim>  &cell,
-             const Point<dim> &place)
+             const Point<dim> &point)
     {
+      const Point<dim> place = GeometryInfo<dim>::project_to_unit_cell(
+        cell->real_to_unit_cell_affine_approximation(point));
       const auto &fe = cell->get_fe();
       Indices     indices(fe.n_dofs_per_cell());
       cell->get_dof_indices(indices);
@@ -190,78 +189,75 @@ namespace ElastoPlastic
 
 
 
-    /// A box around the cells of this rank.
+    /// A point on its way through the cells of several ranks.
     template <int dim>
-    BoundingBox<dim>
-    box_of_own_cells(const DoFHandler<dim> &dof_handler)
+    struct Traveller
     {
-      std::vector<Point<dim>> corners;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int vertex : cell->vertex_indices())
-            corners.push_back(cell->vertex(vertex));
-      return corners.empty() ? BoundingBox<dim>() : BoundingBox<dim>(corners);
-    }
+      /// Where it comes from: which node of which rank.
+      unsigned int rank, node;
+      Point<dim>   point;
+      /// From where it goes on.
+      CellId cell;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /* version */)
+      {
+        archive &rank &node &point &cell;
+      }
+    };
+
+    /// By the rank that they go to.
+    template <int dim>
+    using Travellers = std::map<unsigned int, std::vector<Traveller<dim>>>;
 
 
 
-    /// The @p points with their indices, for each rank in whose box they are.
+    /// Lets @p travellers go on with the ranks that they have come to, until
+    /// each has arrived, and gives @p nodes the values of a field there.
     /// Collective.
-    template <int dim>
-    std::map<unsigned int, std::vector<IndexedPoint<dim>>>
-    points_for_ranks(const std::vector<Node<dim>> &nodes,
-                     const DoFHandler<dim>        &dof_handler)
-    {
-      const auto boxes =
-        Utilities::MPI::all_gather(communicator_of(dof_handler),
-                                   box_of_own_cells(dof_handler));
-      std::map<unsigned int, std::vector<IndexedPoint<dim>>> points;
-      for (unsigned int rank = 0; rank < boxes.size(); ++rank)
-        for (unsigned int i = 0; i < nodes.size(); ++i)
-          if (boxes[rank].point_inside(nodes[i].point, rounding))
-            points[rank].emplace_back(i, nodes[i].point);
-      return points;
-    }
-
-
-
-    /// Gives @p nodes the values of a field at their points, which are in cells
-    /// of other ranks: each rank is asked for those near to its cells. What is
-    /// in no cell keeps its value. Collective.
     template <int dim>
     void
     set_far_values(VectorType                   &field,
                    const std::vector<Node<dim>> &nodes,
+                   Travellers<dim>               travellers,
                    const VectorType             &values,
                    const DoFHandler<dim>        &dof_handler)
     {
-      const auto                  communicator = communicator_of(dof_handler);
-      const auto                 &mesh = dof_handler.get_triangulation();
-      const MappingQ1<dim>        mapping;
-      const GridTools::Cache<dim> cache(mesh, mapping);
+      const auto  communicator = communicator_of(dof_handler);
+      const auto &mesh         = dof_handler.get_triangulation();
 
       using Value = std::pair<unsigned int, Tensor<1, dim>>;
       std::map<unsigned int, std::vector<Value>> answers;
-      for (const auto &[rank, points] :
-           Utilities::MPI::some_to_some(communicator,
-                                        points_for_ranks(nodes, dof_handler)))
-        for (const auto &[i, point] : points)
-          {
-            const auto [cell, place] =
-              GridTools::find_active_cell_around_point(cache, point);
-            if (cell.state() == IteratorState::valid && !cell->is_artificial())
-              answers[rank].emplace_back(i,
-                                         value_at<dim>(values,
-                                                       {&mesh,
-                                                        cell->level(),
-                                                        cell->index(),
-                                                        &dof_handler},
-                                                       place));
-          }
+      for (unsigned int n = 0; n < longest_way; ++n)
+        {
+          if (!Utilities::MPI::logical_or(!travellers.empty(), communicator))
+            break;
+          Travellers<dim> next;
+          for (const auto &from :
+               Utilities::MPI::some_to_some(communicator, travellers))
+            for (Traveller<dim> traveller : from.second)
+              {
+                const auto on_mesh = mesh.create_cell_iterator(traveller.cell);
+                Cell<dim>  cell(&mesh,
+                               on_mesh->level(),
+                               on_mesh->index(),
+                               &dof_handler);
+                if (walk_to(traveller.point, cell))
+                  answers[traveller.rank].emplace_back(
+                    traveller.node, value_at(values, cell, traveller.point));
+                else
+                  {
+                    traveller.cell = cell->id();
+                    next[cell->subdomain_id()].push_back(traveller);
+                  }
+              }
+          travellers = std::move(next);
+        }
       for (const auto &of_rank :
            Utilities::MPI::some_to_some(communicator, answers))
-        for (const auto &[i, value] : of_rank.second)
-          set_values(field, nodes[i], value);
+        for (const auto &[node, value] : of_rank.second)
+          set_values(field, nodes[node], value);
     }
   } // namespace
 
@@ -277,19 +273,21 @@ namespace ElastoPlastic
   {
     const VectorType       values = ghosted_copy(field, dof_handler);
     VectorType             result = field;
-    std::vector<Node<dim>> far_nodes;
-    for (Node<dim> &node : own_nodes(dof_handler))
+    std::vector<Node<dim>> nodes  = own_nodes(dof_handler);
+    Travellers<dim>        travellers;
+    const unsigned int     rank =
+      Utilities::MPI::this_mpi_process(communicator_of(dof_handler));
+    for (unsigned int i = 0; i < nodes.size(); ++i)
       {
-        node.point             = centre + (node.point - centre) / factor;
-        const Point<dim> place = walk_to<dim>(node.point, node.cell);
-        if (node.cell->is_artificial())
-          far_nodes.push_back(node);
+        const Point<dim> point = centre + (nodes[i].point - centre) / factor;
+        Cell<dim>       &cell  = nodes[i].cell;
+        if (walk_to(point, cell))
+          set_values(result, nodes[i], value_at(values, cell, point));
         else
-          set_values(result, node, value_at(values, node.cell, place));
+          travellers[cell->subdomain_id()].push_back(
+            {rank, i, point, cell->id()});
       }
-    if (Utilities::MPI::logical_or(!far_nodes.empty(),
-                                   communicator_of(dof_handler)))
-      set_far_values(result, far_nodes, values, dof_handler);
+    set_far_values(result, nodes, std::move(travellers), values, dof_handler);
     constraints.distribute(result);
     return result;
   }
