@@ -109,8 +109,8 @@ class Reports(unittest.TestCase):
         text = text_with()
         for words in ("an axisymmetric body with finite, logarithmic strains", "bilinear quadrilaterals",
                       "[hughes_1980]",
-                      "integrated by two-step backward differentiation (BDF2), each row of the load history beginning "
-                      "with an implicit Euler step: radial return",
+                      "integrated by two-step backward differentiation (BDF2), beginning with an implicit Euler step "
+                      "where the load turns: radial return",
                       "yield stress σ_0 (", "without friction", "in 24 load steps of equal length",
                       "geometric multigrid without a matrix", "[munch_heister_2022]",
                       "below 1e-10 of all nodal forces", "revision"):
