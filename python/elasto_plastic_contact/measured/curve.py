@@ -57,12 +57,16 @@ class MeasuredCurve:
         return replace(self, remarks=(*self.remarks, *remarks))
 
 
-def with_empty_indents(curves, starts):
-    """The curves, with a remark on the indents without rows, which begin behind so many lines."""
-    if not starts:
+def numbered(indents):
+    """The curves of all indents, named by their numbers, with a remark on indents without rows. indents: the line behind
+    which each begins, and its curves."""
+    curves = [replace(curve, name=str(number))
+              for number, curve in enumerate((curve for _, found in indents for curve in found), 1)]
+    empty = [start for start, found in indents if not found]
+    if not empty:
         return curves
-    lines = ", ".join(str(start + 1) for start in starts[:5]) + (", ..." if len(starts) > 5 else "")
-    return [curve.with_remark(f"indents that hold no rows of numbers, and are left out: {len(starts)}, of line {lines}")
+    lines = ", ".join(str(start + 1) for start in empty[:5]) + (", ..." if len(empty) > 5 else "")
+    return [curve.with_remark(f"indents that hold no rows of numbers, and are left out: {len(empty)}, of line {lines}")
             for curve in curves]
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from ..errors import UserError
 from .blocks import text_blocks
 from .columns import curves_of_blocks
-from .curve import Notes, with_empty_indents
+from .curve import Notes, numbered
 from .formats import reading_of_marks
 
 FORMAT = "FischerScope"
@@ -36,15 +36,12 @@ def read(path, lines, chosen):
     """Raises UserError."""
     starts = [number for number, line in enumerate(lines) if HEAD_OF_INDENT.match(line)]
     forces = [found[1] for line in lines[:starts[0] if starts else 0] if (found := LARGEST_FORCE.match(line))]
-    curves, empty = [], []
-    for start, end in zip(starts, [*starts[1:], len(lines)]):
-        found = read_indent(path, lines[start:end], start + 1, forces[:1], chosen)
-        curves += found
-        empty += [] if found else [start]
+    curves = numbered([(start, read_indent(path, lines[start:end], start + 1, forces[:1], chosen))
+                       for start, end in zip(starts, [*starts[1:], len(lines)])])
     if not curves:
         raise UserError(f"'{path}' is a file of FischerScope with results, but without curves (columns F, h, t): "
                         "export it with the single values of each measurement")
-    return with_empty_indents([replace(curve, name=str(number)) for number, curve in enumerate(curves, 1)], empty)
+    return curves
 
 
 def read_indent(path, lines, first_line, forces, chosen):

@@ -9,7 +9,7 @@ from dataclasses import replace
 from ..errors import UserError
 from .blocks import text_blocks
 from .columns import curves_of_blocks
-from .curve import Notes, with_empty_indents
+from .curve import Notes, numbered
 from .formats import reading_of_marks
 from .units import factor
 
@@ -29,15 +29,13 @@ def read(path, lines, chosen):
     if not starts:
         raise UserError(f"'{path}' is a file of Hysitron without 'Test Data Points': it holds no curve. Export the "
                         "test again")
-    curves, empty = [], []
-    for before, start, end in zip([0, *starts], starts, [*starts[1:], len(lines)]):
-        found = read_indent(path, lines[start:end], start + 1, [*lines[:starts[0]], *lines[before:start]], chosen)
-        curves += found
-        empty += [] if found else [start]
+    curves = numbered([
+        (start, read_indent(path, lines[start:end], start + 1, [*lines[:starts[0]], *lines[before:start]], chosen))
+        for before, start, end in zip([0, *starts], starts, [*starts[1:], len(lines)])])
     if not curves:
-        raise UserError(f"'{path}' announces {n_points(lines[empty[0]])} points in line {empty[0] + 1}, and holds none. "
+        raise UserError(f"'{path}' announces {n_points(lines[starts[0]])} points in line {starts[0] + 1}, and holds none. "
                         "Export the test again")
-    return with_empty_indents([replace(curve, name=str(number)) for number, curve in enumerate(curves, 1)], empty)
+    return curves
 
 
 def n_points(line):

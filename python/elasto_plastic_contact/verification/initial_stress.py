@@ -80,10 +80,16 @@ def bars_at_finite_strain(runner):
 
 
 def bodies_at_rest(runner):
-    """What is in equilibrium does not move: a bar that tractions pull, a ring that bears its own stress."""
+    """What is in equilibrium does not move: a bar that tractions pull, a block between walls and a ring with their own
+    stresses."""
     pulled = ("Boundary conditions/Prescribed displacement=", "Boundary conditions/Traction=top: 0; 0; 150",
               "Initial stress/Stress zz=150", "Output/Probe points=end: 0.3, 0.3, 1")
-    for name, probe, axis, entries in (("bar", "end", "z", pulled), ("ring", "rim", "x", (*RING, FREE, *RING_STRESS)),
+    # (A stress that is zero in the middle of the only cell, and still the only load.)
+    bent = ("Geometry/Initial refinements=0", "Boundary conditions/Prescribed displacement=",
+            "Boundary conditions/Roller=left, right, front, back, bottom", "Boundary conditions/Free=top",
+            "Initial stress/Stress xx=100*(z-0.5)", "Output/Probe points=end: 0.3, 0.3, 1")
+    for name, probe, axis, entries in (("bar", "end", "z", pulled), ("block between walls", "end", "z", bent),
+                                       ("ring", "rim", "x", (*RING, FREE, *RING_STRESS)),
                                        ("ring with quadratic elements", "rim", "x",
                                         (*RING, FREE, *RING_STRESS, "Discretization/Polynomial degree=2"))):
         for strain in ("small", "logarithmic"):
