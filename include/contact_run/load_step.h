@@ -189,7 +189,7 @@ namespace ElastoPlastic
 
     /// How long the last step would have to go on for what this one does: its
     /// duration, but where the indenter has changed its pace. None where the
-    /// load has turned.
+    /// load has turned, or goes on by more than twice as much in a step.
     std::optional<double>
     duration_at_last_pace() const;
 

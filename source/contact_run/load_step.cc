@@ -54,8 +54,7 @@ namespace ElastoPlastic
     const std::optional<double> duration = duration_at_last_pace();
     if (!duration)
       return;
-    if (parameters.loading.integration == Integration::bdf2 && !is_first() &&
-        *duration <= longest_continuation * last_step.duration)
+    if (parameters.loading.integration == Integration::bdf2 && !is_first())
       body.go_on(last_step, *duration);
     if (has_rates())
       body.extrapolate(last_step, *duration);
@@ -75,7 +74,10 @@ namespace ElastoPlastic
     const auto pace = load_program.change_of_pace(time_steps.time());
     if (!pace || has_other_loads(model) || body.solid().is_rate_dependent())
       return {};
-    return *pace * duration;
+    const double at_last_pace = *pace * duration;
+    if (at_last_pace > longest_continuation * last_step.duration)
+      return {};
+    return at_last_pace;
   }
 
 
