@@ -71,14 +71,11 @@ namespace ElastoPlastic
 
 
     /// Finds out what is held where, for @p dof_handler, which must outlive
-    /// this object or the next call. Prescribed displacements are zero.
-    /// Collective.
+    /// this object or the next call. Prescribed displacements are those at
+    /// @p time, or zero without one. Collective.
     void
-    reinit(const DoFHandler<dim> &dof_handler);
-
-    /// The same, with prescribed displacements at @p time. Collective.
-    void
-    reinit(const DoFHandler<dim> &dof_handler, const double time);
+    reinit(const DoFHandler<dim>      &dof_handler,
+           const std::optional<double> time = {});
 
     /// Changes the prescribed displacements to those at @p time. Collective.
     void
@@ -132,9 +129,10 @@ namespace ElastoPlastic
     prescribed_values(const std::optional<double> time) const;
 
     /// Where several conditions meet, the later one counts of these: fixed,
-    /// prescribed displacement, roller, axis of revolution.
+    /// prescribed displacement, roller, axis of revolution. Prescribed
+    /// displacements are those at @p time, or zero without one.
     void
-    find_fixed_values();
+    find_fixed_values(const std::optional<double> time);
 
     /// @throws InputError if the body reaches across its axis of revolution.
     void

@@ -72,7 +72,17 @@ namespace ElastoPlastic
     void
     write_numbers(const std::vector<Number> &numbers);
 
+    /// Numbers as they are in memory, and as the file has them.
+    struct Array
+    {
+      std::vector<unsigned char> data, compressed;
+    };
+
     std::ostream &out;
+
+    /// The arrays of the last piece: what is the same in the next one, such as
+    /// the connectivity, is not compressed again.
+    std::vector<Array> last_piece;
 
     /// Where the offset of each array belongs, and those known so far.
     std::vector<std::streampos> places;

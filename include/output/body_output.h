@@ -116,11 +116,11 @@ namespace ElastoPlastic
     add_displacement(const typename DoFHandler<dim>::active_cell_iterator &cell,
                      std::vector<float> &numbers) const;
 
-    /// A field of the quadrature points @p points there.
+    /// The fields that are known at its quadrature points @p points there, each
+    /// to an entry of @p numbers.
     void
-    add_extrapolated(const PointField               &field,
-                     const std::vector<PointResult> &points,
-                     std::vector<float>             &numbers) const;
+    add_extrapolated(const std::vector<PointResult> &points,
+                     std::vector<float>             *numbers) const;
 
     const DoFHandler<dim>    &dof_handler;
     const VectorType         &displacement;

@@ -71,7 +71,8 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler)
+  Supports<dim>::reinit(const DoFHandler<dim>      &new_dof_handler,
+                        const std::optional<double> time)
   {
     dof_handler = &new_dof_handler;
     hanging     = empty_constraints(*dof_handler);
@@ -80,22 +81,11 @@ namespace ElastoPlastic
     with_skew_rollers.reset();
 
     sort_rollers();
-    find_fixed_values();
+    find_fixed_values(time);
     if (!skew_rollers.empty())
       add_skew_rollers();
     drop_constrained_values();
-    time_of_values.reset();
-  }
-
-
-
-  template <int dim>
-  void
-  Supports<dim>::reinit(const DoFHandler<dim> &new_dof_handler,
-                        const double           time)
-  {
-    reinit(new_dof_handler);
-    set_time(time);
+    time_of_values = time;
   }
 
 
@@ -155,7 +145,7 @@ namespace ElastoPlastic
 
   template <int dim>
   void
-  Supports<dim>::find_fixed_values()
+  Supports<dim>::find_fixed_values(const std::optional<double> time)
   {
     const Functions::ZeroFunction<dim> zero(dim);
     fixed_values.clear();
@@ -176,7 +166,7 @@ namespace ElastoPlastic
       rethrow_collectively(communicator_of(*dof_handler),
                            [&]() { find_axis(); });
 
-    for (const Values &values : {prescribed_values({}), fixed_at_zero})
+    for (const Values &values : {prescribed_values(time), fixed_at_zero})
       for (const auto &[dof, value] : values)
         fixed_values[dof] = value;
   }

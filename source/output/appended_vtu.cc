@@ -71,22 +71,53 @@ namespace ElastoPlastic
 
 
 
-    /// The blocks of @p data. If the first one does not become much smaller,
-    /// the others are not tried: they hold stresses, say, whose digits are all
-    /// different.
-    std::vector<std::vector<Bytef>>
-    compress_blocks(const Bytef *data, const std::size_t size)
+    /// Whether compression makes samples of @p data less than half as large.
+    /// (It does not if they are stresses, say, whose digits are all different.)
+    bool
+    is_compressible(const std::vector<Bytef> &data)
     {
-      std::vector<std::vector<Bytef>> blocks;
-      int                             level = Z_BEST_SPEED;
-      for (std::size_t begin = 0; begin < size; begin += block_size)
+      constexpr std::size_t n_samples = 4, sample_size = 1024;
+      if (data.size() <= n_samples * sample_size)
+        return true;
+      std::vector<Bytef> samples;
+      for (std::size_t i = 0; i < n_samples; ++i)
         {
-          const unsigned int length =
-            std::min<std::size_t>(block_size, size - begin);
-          blocks.push_back(compress_block(data + begin, length, level));
-          if (begin == 0 && 2 * blocks[0].size() > length)
-            level = Z_NO_COMPRESSION;
+          const auto begin =
+            data.begin() + (data.size() - sample_size) * i / (n_samples - 1);
+          samples.insert(samples.end(), begin, begin + sample_size);
         }
+      return 2 * compress_block(samples.data(), samples.size(), Z_BEST_SPEED)
+                   .size() <
+             samples.size();
+    }
+
+
+
+    /// @p data as the file has them: their number of blocks, two sizes before
+    /// compression (that of the last one is zero if it is full), the size of
+    /// each block after it, and the blocks.
+    std::vector<Bytef>
+    compress(const std::vector<Bytef> &data)
+    {
+      const int level = is_compressible(data) ? Z_BEST_SPEED : Z_NO_COMPRESSION;
+      std::vector<std::uint32_t> header = {
+        0, block_size, static_cast<std::uint32_t>(data.size() % block_size)};
+      std::vector<Bytef> blocks;
+      for (std::size_t begin = 0; begin < data.size(); begin += block_size)
+        {
+          const auto block =
+            compress_block(data.data() + begin,
+                           std::min<std::size_t>(block_size,
+                                                 data.size() - begin),
+                           level);
+          header.push_back(block.size());
+          blocks.insert(blocks.end(), block.begin(), block.end());
+        }
+      header[0]               = header.size() - 3;
+      const auto *const begin = reinterpret_cast<const Bytef *>(header.data());
+      blocks.insert(blocks.begin(),
+                    begin,
+                    begin + header.size() * sizeof(header[0]));
       return blocks;
     }
   } // namespace
@@ -97,6 +128,7 @@ namespace ElastoPlastic
                            const std::vector<Field>     &fields,
                            const std::vector<PieceSize> &sizes)
     : out(out)
+    , last_piece(4 + fields.size())
   {
     out << begin_of_file("UnstructuredGrid");
     for (const auto &[n_points, n_cells] : sizes)
@@ -130,26 +162,21 @@ namespace ElastoPlastic
 
 
 
-  // Before the blocks: their number, two sizes before compression (that of the
-  // last one is zero if it is full), and the size of each after it.
   template <typename Number>
   void
   AppendedVtu::write_numbers(const std::vector<Number> &numbers)
   {
+    Array      &last  = last_piece[offsets.size() % last_piece.size()];
+    const auto *begin = reinterpret_cast<const unsigned char *>(numbers.data());
+    const auto *end   = begin + numbers.size() * sizeof(Number);
+    if (!std::equal(begin, end, last.data.begin(), last.data.end()))
+      {
+        last.data.assign(begin, end);
+        last.compressed = compress(last.data);
+      }
     offsets.push_back(out.tellp() - begin_of_numbers);
-    const std::size_t size = numbers.size() * sizeof(Number);
-    const auto        blocks =
-      compress_blocks(reinterpret_cast<const Bytef *>(numbers.data()), size);
-    std::vector<std::uint32_t> header = {
-      static_cast<std::uint32_t>(blocks.size()),
-      block_size,
-      static_cast<std::uint32_t>(size % block_size)};
-    for (const auto &block : blocks)
-      header.push_back(block.size());
-    out.write(reinterpret_cast<const char *>(header.data()),
-              header.size() * sizeof(header[0]));
-    for (const auto &block : blocks)
-      out.write(reinterpret_cast<const char *>(block.data()), block.size());
+    out.write(reinterpret_cast<const char *>(last.compressed.data()),
+              last.compressed.size());
   }
 
 

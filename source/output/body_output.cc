@@ -207,8 +207,8 @@ namespace ElastoPlastic
     add_points(cell, piece.points);
     auto numbers = piece.fields.begin();
     add_displacement(cell, *numbers++);
-    for (const PointField &field : fields)
-      add_extrapolated(field, points, *numbers++);
+    add_extrapolated(points, &*numbers);
+    numbers += fields.size();
 
     const float n_plastic =
       std::count_if(points.begin(), points.end(), [](const PointResult &point) {
@@ -269,28 +269,37 @@ namespace ElastoPlastic
 
 
 
+  // All fields in one product with the matrix.
   template <int dim>
   void
-  BodyOutput<dim>::add_extrapolated(const PointField               &field,
-                                    const std::vector<PointResult> &points,
-                                    std::vector<float> &numbers) const
+  BodyOutput<dim>::add_extrapolated(const std::vector<PointResult> &points,
+                                    std::vector<float> *const numbers) const
   {
-    const std::size_t n_old = numbers.size();
-    numbers.resize(n_old + field.n_components * points.size(), 0.f);
-    const auto         begin = numbers.begin() + n_old;
-    std::vector<float> values(field.n_components);
-    for (unsigned int q = 0; q < points.size(); ++q)
+    unsigned int n_components = 0;
+    for (const PointField &field : fields)
+      n_components += field.n_components;
+    std::vector<float> values(n_components * points.size());
+    auto              *value = values.data();
+    for (const PointResult &point : points)
+      for (const PointField &field : fields)
+        {
+          field.evaluate(point, value);
+          value += field.n_components;
+        }
+
+    std::vector<float> sums(n_components);
+    for (unsigned int i = 0; i < reference_points.size(); ++i)
       {
-        field.evaluate(points[q], values.data());
-        auto number = begin;
-        for (unsigned int i = 0; i < points.size(); ++i)
-          for (const float value : values)
-            *number++ += extrapolation(q, i) * value;
+        std::fill(sums.begin(), sums.end(), 0.f);
+        for (unsigned int q = 0; q < points.size(); ++q)
+          for (unsigned int c = 0; c < n_components; ++c)
+            sums[c] += extrapolation(q, i) * values[q * n_components + c];
+        auto sum = sums.begin();
+        for (unsigned int f = 0; f < fields.size(); ++f)
+          for (unsigned int c = 0; c < fields[f].n_components; ++c, ++sum)
+            numbers[f].push_back(fields[f].is_positive ? std::max(*sum, 0.f) :
+                                                         *sum);
       }
-    if (field.is_positive)
-      std::for_each(begin, numbers.end(), [](float &number) {
-        number = std::max(number, 0.f);
-      });
   }
 
 
