@@ -4,6 +4,7 @@
 # Everything but main.cc is a library, so that tests can link any part of it, and a
 # package can have it for several processors.
 
+include(CheckCXXCompilerFlag)
 include(${CMAKE_CURRENT_LIST_DIR}/wide_batches.cmake)
 
 file(GLOB_RECURSE PARTS_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/*.cc)
@@ -79,6 +80,11 @@ function(set_build_options _target)
   endif()
   if(ARGN)
     target_compile_options(${_target} PUBLIC -O3 ${ARGN})
+    # (For AMD's processors, GCC calls a function for each copy of more than 128 bytes: of every tensor of batches.)
+    check_cxx_compiler_flag("-mmove-max=512 -mstore-max=512" HAS_WIDE_COPIES)
+    if(HAS_WIDE_COPIES)
+      target_compile_options(${_target} PUBLIC -mmove-max=512 -mstore-max=512)
+    endif()
   endif()
   if(NOT DEBUG_SYMBOLS)
     target_compile_options(${_target} PUBLIC -g0)
