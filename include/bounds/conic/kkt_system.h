@@ -50,12 +50,13 @@ namespace ElastoPlastic
     bool
     factorize(const Scalings &scalings);
 
-    /// Solves the system, and repeats that with what is left: this removes what
-    /// has been added, and most of the rounding errors.
+    /// Solves the system, and repeats that with what is left, the @p residual,
+    /// which begins as the right-hand side: this removes what has been added,
+    /// and most of the rounding errors.
     void
-    solve(KktVector       &solution,
-          const KktVector &right_hand_side,
-          const double     relative_residual = Tolerance::residual) const;
+    solve(KktVector   &solution,
+          KktVector    residual,
+          const double relative_residual = Tolerance::residual) const;
 
     /// residual -= (the matrix above without W) solution
     void

@@ -103,13 +103,12 @@ namespace ElastoPlastic
 
 
   void
-  KktSystem::solve(KktVector       &solution,
-                   const KktVector &right_hand_side,
-                   const double     relative_residual) const
+  KktSystem::solve(KktVector   &solution,
+                   KktVector    residual,
+                   const double relative_residual) const
   {
-    KktVector    residual = right_hand_side;
     const double small =
-      relative_residual * relative_residual * square(right_hand_side);
+      relative_residual * relative_residual * square(residual);
     double         last = std::numeric_limits<double>::max();
     Vector<double> y, reduced(residual.x.size());
     solution = KktVector();
