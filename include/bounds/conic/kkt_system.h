@@ -17,8 +17,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The linear system of an interior point step,
   ///   P x + A^T y + G^T z   = r_x
   ///   A x - lambda d        = r_y
