@@ -61,9 +61,6 @@ namespace ElastoPlastic
     subtract_product(KktVector &residual, const KktVector &solution) const;
 
   private:
-    void
-    set_targets();
-
     bool
     factorize_sum();
 

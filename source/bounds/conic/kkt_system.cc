@@ -43,14 +43,6 @@ namespace ElastoPlastic
     sparsity_pattern.copy_from(couplings);
     matrix.reinit(sparsity_pattern);
     sparse_factor = std::make_unique<SparseCholesky>(sparsity_pattern);
-    set_targets();
-  }
-
-
-
-  void
-  KktSystem::set_targets()
-  {
     for (BlockBatch &batch : batches)
       batch.set_targets([&](const unsigned int row, const unsigned int column) {
         return row < n_sparse_rows    ? &matrix(row, column) :
