@@ -196,7 +196,7 @@ namespace ElastoPlastic
 
 
   std::vector<std::size_t>
-  MultifrontalFactor::positions(const std::vector<Entry> &entries) const
+  MultifrontalFactor::positions(const dealii::SparsityPattern &pattern) const
   {
     const auto *const order =
       static_cast<const SuiteSparse_long *>(factor.Perm);
@@ -209,19 +209,19 @@ namespace ElastoPlastic
         front_of[fronts[f].rows[i]] = f;
 
     std::vector<std::size_t> result;
-    result.reserve(entries.size());
-    for (const Entry &entry : entries)
-      {
-        const auto [column, row] =
-          std::minmax(place[entry.row], place[entry.column]);
-        const Front      &front           = fronts[front_of[column]];
-        const std::size_t column_of_front = column - front.rows[0];
-        const std::size_t row_of_front =
-          std::lower_bound(front.rows, front.rows + front.n_rows, row) -
-          front.rows;
-        result.push_back(front.begin + column_of_front * front.n_rows +
-                         row_of_front);
-      }
+    for (const auto &entry : pattern)
+      if (entry.column() <= entry.row())
+        {
+          const auto [column, row] =
+            std::minmax(place[entry.row()], place[entry.column()]);
+          const Front      &front           = fronts[front_of[column]];
+          const std::size_t column_of_front = column - front.rows[0];
+          const std::size_t row_of_front =
+            std::lower_bound(front.rows, front.rows + front.n_rows, row) -
+            front.rows;
+          result.push_back(front.begin + column_of_front * front.n_rows +
+                           row_of_front);
+        }
     return result;
   }
 
