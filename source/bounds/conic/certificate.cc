@@ -8,22 +8,6 @@
 
 namespace ElastoPlastic
 {
-  NoSolutionError::NoSolutionError()
-    : ConvergenceError(
-        "The problem that the interior point method solves has "
-        "no solution.")
-  {}
-
-
-
-  UnboundedError::UnboundedError()
-    : ConvergenceError(
-        "The cost that the interior point method minimises has "
-        "no lower bound.")
-  {}
-
-
-
   void
   check_solvability(const ConicProgram  &program,
                     const ConicLayout   &layout,
