@@ -209,19 +209,20 @@ namespace ElastoPlastic
         front_of[fronts[f].rows[i]] = f;
 
     std::vector<std::size_t> result;
-    for (const auto &entry : pattern)
-      if (entry.column() <= entry.row())
-        {
-          const auto [column, row] =
-            std::minmax(place[entry.row()], place[entry.column()]);
-          const Front      &front           = fronts[front_of[column]];
-          const std::size_t column_of_front = column - front.rows[0];
-          const std::size_t row_of_front =
-            std::lower_bound(front.rows, front.rows + front.n_rows, row) -
-            front.rows;
-          result.push_back(front.begin + column_of_front * front.n_rows +
-                           row_of_front);
-        }
+    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
+      for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
+        if (entry->column() <= i)
+          {
+            const auto [column, row] =
+              std::minmax(place[i], place[entry->column()]);
+            const Front      &front           = fronts[front_of[column]];
+            const std::size_t column_of_front = column - front.rows[0];
+            const std::size_t row_of_front =
+              std::lower_bound(front.rows, front.rows + front.n_rows, row) -
+              front.rows;
+            result.push_back(front.begin + column_of_front * front.n_rows +
+                             row_of_front);
+          }
     return result;
   }
 
