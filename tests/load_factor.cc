@@ -69,15 +69,16 @@ namespace
     const BoundaryConditions<2> conditions(parameters, names);
     const BodyForce<2>          body_force(problem.body_force);
     SplitMesh<2>                split_mesh = make_split_mesh(mesh);
-    const Loads<2> loads = growing_loads(split_mesh, conditions, body_force);
-    auto           body =
+    const Loads<2>              loads =
+      Loads<2>::growing(split_mesh, conditions, body_force);
+    auto body =
       make_split_body<2>(std::move(split_mesh),
                          conditions,
                          {material()},
                          {problem.contact.empty() ? nowhere : everywhere},
                          loads,
                          problem.kinematics);
-    set_friction(body, {problem.friction_sine});
+    body.set_friction({problem.friction_sine});
     return body;
   }
 

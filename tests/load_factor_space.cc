@@ -64,7 +64,8 @@ namespace
     const BoundaryConditions<3> conditions(parameters, names_of_box);
     const BodyForce<3>          body_force(problem.body_force);
     SplitMesh<3>                tetrahedra = make_split_mesh(mesh);
-    const Loads<3> loads = growing_loads(tetrahedra, conditions, body_force);
+    const Loads<3>              loads =
+      Loads<3>::growing(tetrahedra, conditions, body_force);
     return make_split_body<3>(std::move(tetrahedra),
                               conditions,
                               {material},

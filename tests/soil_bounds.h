@@ -98,10 +98,10 @@ namespace SoilBounds
                            materials,
                            indenter,
                            parameters.contact.empty() ?
-                             growing_loads(mesh, conditions, body_force) :
+                             Loads<dim>::growing(mesh, conditions, body_force) :
                              Loads<dim>(/* time = */ 0., body_force),
                            kinematics);
-    set_friction(body, slopes);
+    body.set_friction(slopes);
     return body;
   }
 

@@ -43,12 +43,12 @@ namespace
     body.mesh        = make_split_mesh(mesh);
     body.kinematics  = kinematics;
     body.body_force  = body_force;
-    body.length_unit = size_of(body.mesh);
+    body.length_unit = body.mesh.size();
     body.stress_unit = body.strain_unit = 1.;
     body.materials.assign(body.mesh.simplices.size(),
                           SectionBody::material(radius, 0.));
     body.conditions.resize(body.mesh.faces.size());
-    set_friction(body, {slope});
+    body.set_friction({slope});
     return body;
   }
 

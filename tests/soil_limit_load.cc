@@ -102,7 +102,7 @@ namespace
                          {material},
                          {gap, surface},
                          0.);
-    set_friction(body, {sine});
+    body.set_friction({sine});
     return body;
   }
 

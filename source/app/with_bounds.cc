@@ -4,9 +4,9 @@
 #include "app/bounds.h"
 #include "base/compatibility.h"
 #include "base/exceptions.h"
-#include "bounds/bound_checks.h"
 #include "bounds/error_bound_analysis.h"
 #include "bounds/limit_load_analysis.h"
+#include "bounds/mesh/split_mesh.h"
 #include "problem/load_history.h"
 
 namespace ElastoPlastic

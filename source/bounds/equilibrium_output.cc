@@ -14,29 +14,6 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// With the plastic work, if there is a mechanism, as the last field.
-    template <int dim>
-    Patches<dim>
-    make_patches(const std::vector<std::string> &motions,
-                 const bool                      has_plastic_work)
-    {
-      std::vector<typename Patches<dim>::Field> fields;
-      const auto add = [&](const std::vector<std::string> &names,
-                           const unsigned int              n_components) {
-        for (const std::string &name : names)
-          fields.push_back({name, n_components});
-      };
-      add(motions, 3);
-      add({"stress"}, 9);
-      add({"von_mises_stress", "yield_ratio", "error_indicator", "material_id"},
-          1);
-      if (has_plastic_work)
-        add({"plastic_work"}, 1);
-      return Patches<dim>(fields);
-    }
-
-
-
     /// The values at a corner of a part, in the order of the fields.
     template <int dim>
     std::vector<double>
@@ -104,10 +81,18 @@ namespace ElastoPlastic
   EquilibriumOutput<dim>::write(const EquilibriumFields<dim> &fields,
                                 const unsigned int            cycle)
   {
-    std::vector<std::string> motions = {name_of_motion};
+    std::vector<typename Patches<dim>::Field> names = {{name_of_motion, 3}};
     if (dim == 2)
-      motions.push_back("discontinuous_" + name_of_motion);
-    auto patches = make_patches<dim>(motions, !fields.plastic_work.empty());
+      names.push_back({"discontinuous_" + name_of_motion, 3});
+    names.insert(names.end(),
+                 {{"stress", 9},
+                  {"von_mises_stress", 1},
+                  {"yield_ratio", 1},
+                  {"error_indicator", 1},
+                  {"material_id", 1}});
+    if (!fields.plastic_work.empty())
+      names.push_back({"plastic_work", 1});
+    Patches<dim> patches(names);
     for (unsigned int t = 0; t < fields.body.mesh.simplices.size(); ++t)
       for (unsigned int part = 0; part < JohnsonMercier<dim>::n_parts; ++part)
         patches.add(make_patch(fields, t, part));

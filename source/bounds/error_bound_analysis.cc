@@ -72,7 +72,7 @@ namespace ElastoPlastic
           require_quadratic_supports(body);
           require_polynomial_tractions(body, degree_of_stresses);
         }
-      set_initial_stress(body, model.initial_stress);
+      body.set_initial_stress(model.initial_stress);
       return body;
     }
 
@@ -142,9 +142,8 @@ namespace ElastoPlastic
           }
         table->add(row);
         error_indicators =
-          cell_indicators(body.mesh,
-                          errors,
-                          solution.dof_handler.get_triangulation());
+          body.mesh.cell_indicators(errors,
+                                    solution.dof_handler.get_triangulation());
         error_indicators *= std::sqrt(2.);
         return std::sqrt(2. * std::max(0., row.bound()));
       }

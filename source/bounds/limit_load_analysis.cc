@@ -13,14 +13,11 @@
 #include "base/process.h"
 #include "base/text.h"
 #include "bounds/body/loads.h"
-#include "bounds/bound_checks.h"
 #include "bounds/conic/tolerances.h"
-#include "bounds/error/support_check.h"
 #include "bounds/limit_load_analysis.h"
 #include "bounds/stress/stress_check.h"
 #include "mesh/material_ids.h"
 #include "output/columns.h"
-#include "problem/problem_checks.h"
 #include "restart/output_directory.h"
 
 namespace ElastoPlastic
@@ -36,24 +33,6 @@ namespace ElastoPlastic
 
 
 
-    /// What is normal to the indenter, in a job that asks for its limit load,
-    /// is normal to the sides that it fits.
-    /// In space it always presses downwards.
-    template <int dim>
-    ContactGeometry
-    contact_geometry(const Model<dim> &model, const Parameters &parameters)
-    {
-      const ContactGeometry geometry = model.contact.geometry;
-      if (dim == 3 || geometry == ContactGeometry::vertical ||
-          model.strain_model.kinematics == Kinematics::plane_stress ||
-          parameters.material.criteria.has_soil())
-        return ContactGeometry::vertical;
-      return parameters.analysis == Analysis::limit_load ?
-               geometry :
-               ContactGeometry::automatic;
-    }
-
-
     template <int dim>
     unsigned int
     degree_of_stresses(const SplitBody<dim> &body, const Parameters &parameters)
@@ -65,25 +44,41 @@ namespace ElastoPlastic
 
 
 
-    /// Times r, the pressure of a weight is quadratic: so must the stresses be
-    /// whose strength grows with it. In space, make_split_body() has looked at
-    /// the loads.
-    template <int dim>
+    /// All materials must be perfectly plastic. @throws InputError
     void
-    check_loads(const SplitBody<dim> &body, const Parameters &parameters)
+    check_materials_of_limit_load(
+      const std::vector<Material<double>> &materials)
     {
-      const unsigned int degree = degree_of_stresses(body, parameters);
-      if constexpr (dim == 2)
-        require_polynomial_tractions(body, degree);
-      if (degree == 1 && body.is_axisymmetric() && body.has_friction() &&
-          body.body_force.norm() + body.live_body_force.norm() > 0.)
-        throw InputError("Limit load/Stresses",
-                         Patterns::Tools::to_string(
-                           parameters.limit_load.stresses),
-                         "beside a 'Body force', bodies of revolution whose "
-                         "strength grows with the pressure need 'quadratic' "
-                         "stresses. Choose them, or 'automatic'.");
+      for (const Material<double> &material : materials)
+        if (!std::isfinite(material.yield_radius) || !is_perfect(material))
+          throw InputError(
+            "Analysis",
+            "limit load",
+            "only a body of perfectly plastic materials has a limit load that "
+            "this analysis can find. Set 'Material/Law = perfectly plastic' "
+            "with a yield stress for each material, and 'Rate law = none'.");
     }
+
+
+
+    /// Whether the loads that do not grow are too much for the body, if the
+    /// load factor is between these bounds; empty if not.
+    std::string
+    warning_of_constant_loads(const double lower_bound,
+                              const double upper_bound)
+    {
+      if (lower_bound >= 0.)
+        return "";
+      return std::string(
+               upper_bound < 0. ?
+                 "The load factor is negative: the body" :
+                 "The load factor may be negative: perhaps the body") +
+             " does not bear the tractions and body forces that are constant, "
+             "unless the others act against the direction in which they are "
+             "given. Look at the signs, or prescribe smaller constant loads.";
+    }
+
+
 
     /// What the bounds are those of: a force of the indenter, or, if the other
     /// loads grow, a factor of these.
@@ -151,7 +146,9 @@ namespace ElastoPlastic
   {
     if (parameters.limit_load.load == GrowingLoad::tractions)
       loads = [&model](const auto &mesh) {
-        return growing_loads(mesh, model.boundary_conditions, model.body_force);
+        return Loads<dim>::growing(mesh,
+                                   model.boundary_conditions,
+                                   model.body_force);
       };
     else
       loads = [&model](const auto &) {
@@ -199,58 +196,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  void
-  LimitLoadAnalysis<dim>::check()
-  {
-    check_contact_boundaries(model, triangulation);
-    check_symmetry_of_materials(model, triangulation);
-    setup_body();
-    check_supports_of_limit_load(model,
-                                 parameters.limit_load.load,
-                                 gap_function,
-                                 triangulation);
-    warn_if_any(log, warning_of_curved_body(triangulation));
-    if (first_rank && model.indenter.shape)
-      warn_if_any(log, warning_of_partial_reach(body));
-  }
-
-
-
-  // For the first rank.
-  template <int dim>
-  void
-  LimitLoadAnalysis<dim>::setup_body()
-  {
-    auto mesh = make_split_mesh(triangulation);
-    rethrow_collectively(communicator, [&]() {
-      if (!first_rank)
-        return;
-      const Loads<dim> mesh_loads        = loads(mesh);
-      body                               = make_split_body<dim>(std::move(mesh),
-                                  model.boundary_conditions,
-                                  model.materials,
-                                  {[this](const Point<dim> &x) {
-                                     return gap_function.value(x);
-                                   },
-                                                                 parameters.indenter.surface,
-                                                                 contact_geometry(model, parameters),
-                                                                 gap_function.footprint()},
-                                  mesh_loads,
-                                  model.strain_model.kinematics);
-      const MaterialParameters &material = parameters.material;
-      set_friction(body,
-                   material.criteria.friction_slopes(material.n_materials()));
-      check_loads(body, parameters);
-      if (model.indenter.shape)
-        check_reach_of_indenter(body);
-      if (!model.indenter.shape && body.load_factor_unit == 0)
-        throw ConvergenceError("No load acts on the body.");
-    });
-  }
-
-
-
   // The work of the first rank, while the others wait for its results.
   template <int dim>
   void
@@ -278,7 +223,7 @@ namespace ElastoPlastic
                                    timer.wall_time()};
     });
     row              = Utilities::MPI::broadcast(communicator, row);
-    error_indicators = cell_indicators(body.mesh, bounds.gaps, triangulation);
+    error_indicators = body.mesh.cell_indicators(bounds.gaps, triangulation);
 
     const std::string  simplices = dim == 2 ? "triangles" : "tetrahedra";
     std::ostringstream message;
@@ -362,6 +307,7 @@ namespace ElastoPlastic
 } // namespace ElastoPlastic
 
 // The rest of the class, which is compiled and instantiated as a whole:
+#include "limit_load_analysis_checks.cc"
 #include "limit_load_analysis_safety.cc"
 
 namespace ElastoPlastic

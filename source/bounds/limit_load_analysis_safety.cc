@@ -32,10 +32,10 @@ namespace ElastoPlastic
       return;
     loads = [this, times = load.times](const auto &mesh) {
       return Loads<dim>(std::nullopt,
-                        time_of_largest_load(mesh,
-                                             model.boundary_conditions,
-                                             model.body_force,
-                                             times),
+                        Loads<dim>::time_of_largest(mesh,
+                                                    model.boundary_conditions,
+                                                    model.body_force,
+                                                    times),
                         model.body_force);
     };
   }
@@ -46,10 +46,8 @@ namespace ElastoPlastic
   void
   LimitLoadAnalysis<dim>::require_safe(const LoadInQuestion &load)
   {
-    let_grow(load);
-    setup_body();
-    find_bounds();
-    while (!is_safe(load))
+    bool is_known = is_safe_at_first_sight(load);
+    while (!is_known)
       {
         if (n_cells() > max_cells_to_decide)
           throw EquilibriumError("There may be no equilibrium under " +
@@ -59,6 +57,7 @@ namespace ElastoPlastic
                                  bounds_in_words(load));
         refine_mesh();
         find_bounds();
+        is_known = is_safe(load);
       }
   }
 

@@ -21,8 +21,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   template <int dim>
   struct IndenterOnBody;
 

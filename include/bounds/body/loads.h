@@ -15,10 +15,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
-
-
   /// The tractions and body forces that the equilibrium method knows: those at
   /// one time, or such that grow in proportion to a load factor beside others
   /// that do not.
@@ -40,6 +36,22 @@ namespace ElastoPlastic
       , end(end)
       , body_force(body_force)
     {}
+
+    /// Those that grow with a load factor: it is the time, of which they are
+    /// linear functions; or, if none depends on time, it multiplies all of
+    /// them. @throws InputError if they are not linear in time, or all zero.
+    static Loads
+    growing(const SplitMesh<dim>          &mesh,
+            const BoundaryConditions<dim> &conditions,
+            const BodyForce<dim>          &body_force);
+
+    /// At which of these @p times the largest of all tractions and body forces
+    /// occurs.
+    static double
+    time_of_largest(const SplitMesh<dim>          &mesh,
+                    const BoundaryConditions<dim> &conditions,
+                    const BodyForce<dim>          &body_force,
+                    const std::vector<double>     &times);
 
     /// Of a @p load as a function of time.
     template <typename Load>
@@ -93,27 +105,6 @@ namespace ElastoPlastic
     double constant = 0; ///< of the loads that do not grow
     double growing  = 0; ///< of what a load factor of 1 adds
   };
-
-
-
-  /// Tractions and body forces that grow with a load factor: it is the time, of
-  /// which they are linear functions; or, if none depends on time, it
-  /// multiplies all of them.
-  /// @throws InputError if they are not linear in time, or all zero.
-  template <int dim>
-  Loads<dim>
-  growing_loads(const SplitMesh<dim>          &mesh,
-                const BoundaryConditions<dim> &conditions,
-                const BodyForce<dim>          &body_force);
-
-  /// At which of these @p times the largest of all tractions and body forces
-  /// occurs.
-  template <int dim>
-  double
-  time_of_largest_load(const SplitMesh<dim>          &mesh,
-                       const BoundaryConditions<dim> &conditions,
-                       const BodyForce<dim>          &body_force,
-                       const std::vector<double>     &times);
 } // namespace ElastoPlastic
 
 #endif

@@ -26,8 +26,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// What the condition of a face at the boundary demands of a mechanism.
   template <int dim>
   struct FaceSupport
@@ -39,14 +37,6 @@ namespace ElastoPlastic
     /// Of what the body slides along, see SplitBody::indenter_velocity.
     Tensor<1, dim> velocity;
   };
-
-
-
-  /// The largest distance of a vertex from the first one: with it, body forces
-  /// are as large as the stresses that they cause.
-  template <int dim>
-  double
-  size_of(const SplitMesh<dim> &mesh);
 
 
 
@@ -94,6 +84,16 @@ namespace ElastoPlastic
     /// A typical load factor, with which tractions or body forces are as large
     /// as stresses are; 0 if no load grows.
     double load_factor_unit = 0;
+
+    /// Lets the strength depend on the pressure: @p slopes by material id, or
+    /// one for all; nothing changes if all are zero.
+    void
+    set_friction(const std::vector<double> &slopes);
+
+    /// Lets the body bear a stress before it is loaded (doc/theory, "Initial
+    /// stress"). @throws InputError if it is not linear on each simplex.
+    void
+    set_initial_stress(const InitialStress<dim> &stress);
 
     Corners<dim>
     corners_of(const unsigned int simplex) const
@@ -253,20 +253,6 @@ namespace ElastoPlastic
                   const IndenterOnBody<dim>           &indenter,
                   const Loads<dim>                    &loads,
                   const Kinematics kinematics = Kinematics::cartesian);
-
-  /// Lets the strength of a body depend on the pressure: @p slopes by material
-  /// id, or one for all; nothing changes if all are zero.
-  template <int dim>
-  void
-  set_friction(SplitBody<dim> &body, const std::vector<double> &slopes);
-
-  /// Lets the body bear a stress before it is loaded (doc/theory, "Initial
-  /// stress"). @throws InputError if it is not linear on each simplex.
-  template <int dim>
-  void
-  set_initial_stress(SplitBody<dim> &body, const InitialStress<dim> &stress);
-
-
 
   /// The same body with another mesh, for mechanisms: the faces that the
   /// indenter reaches cover a polygon around its disc, not only one inside.

@@ -22,17 +22,10 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// What turns the components of a stress into M d.
   template <int dim>
   FullMatrix<double>
   stress_matrix(const Material<double> &material);
-
-  /// M^-T
-  template <int dim>
-  FullMatrix<double>
-  rate_factor(const Material<double> &material);
 
   /// What turns the components of a strain rate, each counting once, into
   /// M^-T e.

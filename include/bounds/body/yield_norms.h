@@ -16,8 +16,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// What the yield condition compares with the yield radius sqrt(2/3) sigma_0:
   /// the norm of the deviator, or sqrt(2/3) q with Hill's equivalent stress q.
   double

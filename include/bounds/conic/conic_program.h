@@ -143,6 +143,9 @@ namespace ElastoPlastic
     std::vector<Cone>         cones;
     std::vector<ConeScale>    scales; ///< of the cones
 
+    Vector<double> linear_cost; ///< c
+    Vector<double> cone_offset; ///< h
+
     /// The entries of a cone.
     SecondOrderCone::View
     cone(Vector<double> &values, const unsigned int c) const

@@ -13,13 +13,21 @@ namespace ElastoPlastic
   /// Nothing satisfies the equations and cones of a ConicProgram.
   struct NoSolutionError : ConvergenceError
   {
-    NoSolutionError();
+    NoSolutionError()
+      : ConvergenceError(
+          "The problem that the interior point method solves has "
+          "no solution.")
+    {}
   };
 
   /// The cost of a ConicProgram has no lower bound.
   struct UnboundedError : ConvergenceError
   {
-    UnboundedError();
+    UnboundedError()
+      : ConvergenceError(
+          "The cost that the interior point method minimises has "
+          "no lower bound.")
+    {}
   };
 
 

@@ -17,8 +17,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The linear system of an interior point step,
   ///   P x + A^T y + G^T z   = r_x
   ///   A x - lambda d        = r_y
@@ -50,21 +48,19 @@ namespace ElastoPlastic
     bool
     factorize(const Scalings &scalings);
 
-    /// Solves the system, and repeats that with what is left: this removes what
-    /// has been added, and most of the rounding errors.
+    /// Solves the system, and repeats that with what is left, the @p residual,
+    /// which begins as the right-hand side: this removes what has been added,
+    /// and most of the rounding errors.
     void
-    solve(KktVector       &solution,
-          const KktVector &right_hand_side,
-          const double     relative_residual = Tolerance::residual) const;
+    solve(KktVector   &solution,
+          KktVector    residual,
+          const double relative_residual = Tolerance::residual) const;
 
     /// residual -= (the matrix above without W) solution
     void
     subtract_product(KktVector &residual, const KktVector &solution) const;
 
   private:
-    void
-    set_targets();
-
     bool
     factorize_sum();
 

@@ -4,6 +4,8 @@
 #ifndef bounds_conic_multifrontal_factor_h
 #define bounds_conic_multifrontal_factor_h
 
+#include <deal.II/lac/sparsity_pattern.h>
+
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -32,17 +34,11 @@ namespace ElastoPlastic
     double
     workspace() const;
 
-    /// Where a matrix stores the entry of two of its unknowns.
-    struct Entry
-    {
-      std::size_t row;
-      std::size_t column;
-    };
-
-    /// Where to put such entries in the array of the factor before it is
+    /// Where to put the entries of the lower half of a matrix, as they follow
+    /// each other in its @p pattern, in the array of the factor before it is
     /// factorised; all others are zero.
     std::vector<std::size_t>
-    positions(const std::vector<Entry> &entries) const;
+    positions(const dealii::SparsityPattern &pattern) const;
 
     /// Replaces the entries of the matrix in the array of the factor by its
     /// own. @return false if the matrix is not positive definite.

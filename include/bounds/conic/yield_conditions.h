@@ -51,7 +51,6 @@ namespace ElastoPlastic
   /// each of several points, of which those with the weight zero have no
   /// condition. @p deviator is deviator_matrix(), or what else turns components
   /// into as many numbers.
-  template <int dim>
   void
   add_yield_conditions(ConicBlock                &block,
                        const FullMatrix<double>  &deviator,

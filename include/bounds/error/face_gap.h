@@ -12,8 +12,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The gap g between a face and the indenter, enclosed by two functions,
   ///   lower <= g <= upper,
   /// that are linear on many small simplices of the face.

@@ -76,6 +76,10 @@ namespace ElastoPlastic
   template <int dim>
   std::unique_ptr<ContinuousVelocities<dim>>
   make_continuous_velocities(const SplitBody<dim> &body);
+
+  /// Those of a body of revolution.
+  std::unique_ptr<ContinuousVelocities<2>>
+  make_revolution_velocities(const SplitBody<2> &body);
 } // namespace ElastoPlastic
 
 #endif

@@ -16,8 +16,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The values of a QuadraticField on a face: at the corners, and in the
   /// middle of the edges, see ends_of_edge().
   template <int dim>

@@ -13,8 +13,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The velocities on a triangle that have a stream function: they do not
   /// change the volume, whatever its coefficients.
   ///

@@ -16,8 +16,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The degree of the velocity as a polynomial on a simplex, and on faces that
   /// of the weighted one, and of what slides along them: in space, velocities
   /// that do are linear.
@@ -53,6 +51,14 @@ namespace ElastoPlastic
       flux += factor * other.flux;
     }
 
+    void
+    operator*=(const double factor)
+    {
+      for (auto &coefficient : coefficients)
+        coefficient *= factor;
+      flux *= factor;
+    }
+
     /// Without the flux, at a point.
     Tensor<1, dim>
     polynomial(const Barycentric<dim> &point) const
@@ -86,20 +92,6 @@ namespace ElastoPlastic
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
   };
-
-
-
-  template <int dim>
-  void
-  scale(VelocityField<dim> &field, const double factor)
-  {
-    for (auto &velocity : field.velocity)
-      {
-        for (auto &coefficient : velocity.coefficients)
-          coefficient *= factor;
-        velocity.flux *= factor;
-      }
-  }
 
 
 

@@ -4,6 +4,7 @@
 #ifndef bounds_mechanism_velocity_program_h
 #define bounds_mechanism_velocity_program_h
 
+#include "bounds/conic/conic_program.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_field.h"
 
@@ -21,6 +22,23 @@ namespace ElastoPlastic
   VelocityField<dim>
   minimize_plastic_work(const SplitBody<dim> &body,
                         const double tolerance = Tolerance::gap_of_bounds<dim>);
+
+
+
+  /// What a program of a mechanism says of it, but for the velocities: the
+  /// bound is what has been minimised.
+  template <int dim>
+  VelocityField<dim>
+  field_of(const SplitBody<dim> &body, const ConicSolution &solution)
+  {
+    VelocityField<dim> field;
+    field.bound =
+      -solution.cost *
+      (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
+    field.n_iterations = solution.n_iterations;
+    field.is_optimal   = solution.is_optimal;
+    return field;
+  }
 
 
 

@@ -10,22 +10,12 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// A point of a simplex of dim dimensions and its weight in a quadrature.
   template <int dim>
   struct WeightedPoint
   {
     Barycentric<dim> position;
     double           weight; ///< relative to the size of the simplex
-
-    /// The value of the linear function with these @p values at the corners.
-    template <typename Value>
-    Value
-    interpolate(const std::array<Value, dim + 1> &values) const
-    {
-      return ElastoPlastic::interpolate(position, values);
-    }
   };
 
   /// A quadrature that is exact for polynomials of the degree 3 or less, or on

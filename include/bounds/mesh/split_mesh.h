@@ -9,14 +9,13 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "bounds/mesh/simplex.h"
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The conforming mesh of simplices that results when the centre of every
   /// quadrilateral of an adaptively refined mesh is joined to its corners and
   /// to the hanging nodes on its sides. Stresses are equilibrated on the same
@@ -122,6 +121,19 @@ namespace ElastoPlastic
     /// itself, are in part k of the simplex.
     std::array<unsigned int, dim>
     places_in_part(const unsigned int simplex, const unsigned int k) const;
+
+    /// The largest distance of a vertex from the first one: with it, body
+    /// forces are as large as the stresses that they cause.
+    double
+    size() const;
+
+    /// What decides on the refinement of the cells of @p triangulation: the
+    /// square root of the sum of what the first rank knows of their simplices,
+    /// @p of_simplices; negative numbers count as zero. Every rank receives the
+    /// values of its own active cells. Collective.
+    Vector<float>
+    cell_indicators(const std::vector<double> &of_simplices,
+                    const Triangulation<dim>  &triangulation) const;
   };
 
 
@@ -133,17 +145,11 @@ namespace ElastoPlastic
   SplitMesh<dim>
   make_split_mesh(const Triangulation<dim> &triangulation);
 
-
-
-  /// What decides on the refinement of cells: the square root of the sum of
-  /// what the first rank knows of their simplices, @p of_simplices of @p mesh;
-  /// negative numbers count as zero. Every rank receives the values of its own
-  /// active cells. Collective.
+  /// That such a mesh is not the body; empty if the boundary is not curved.
   template <int dim>
-  Vector<float>
-  cell_indicators(const SplitMesh<dim>      &mesh,
-                  const std::vector<double> &of_simplices,
-                  const Triangulation<dim>  &triangulation);
+  std::string
+  warning_of_curved_body(const Triangulation<dim> &triangulation);
+
 } // namespace ElastoPlastic
 
 #endif

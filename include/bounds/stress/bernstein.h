@@ -16,8 +16,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// Bernstein's bases of polynomials of any degree on a simplex of dim
   /// dimensions: a side, a triangle or a tetrahedron. They are not negative and
   /// add up to 1: so a convex function of a polynomial is nowhere more than the

@@ -12,8 +12,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// The equilibrium element of Johnson and Mercier @cite johnson_mercier_1978,
   /// in space @cite krizek_1982 @cite gopalakrishnan_guzman_lee_2024: symmetric
   /// stresses on a simplex that are polynomials of a degree, 1 or more, on each

@@ -14,8 +14,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// What is known of sigma_33 in the plane: it is a field of its own, which
   /// need not be continuous; or the mean of sigma_11 and sigma_22, with which
   /// the yield condition of plane strain admits most (with Hill's criterion,

@@ -17,8 +17,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// Stresses in exact equilibrium, without the pressure of body forces (see
   /// SplitBody), and what the indenter does. In a body of revolution, it is the
   /// weighted stress that is a polynomial on each part of a simplex, the stress

@@ -13,8 +13,6 @@
 
 namespace ElastoPlastic
 {
-  using namespace dealii;
-
   /// A minimisation over Johnson-Mercier stresses in equilibrium that satisfy
   /// the yield condition everywhere, as a ConicProgram in the units of the
   /// body.

@@ -37,7 +37,7 @@ namespace ElastoPlastic
                   component->value(from_inside(corner, centre_of(corners)),
                                    time));
           }
-      const double size = size_of(mesh);
+      const double size = mesh.size();
       for (const Point<dim> &vertex : mesh.vertices)
         for (unsigned int d = 0; d < dim; ++d)
           values.push_back(size * body_force.value(vertex, time)[d]);
@@ -49,9 +49,9 @@ namespace ElastoPlastic
 
   template <int dim>
   Loads<dim>
-  growing_loads(const SplitMesh<dim>          &mesh,
-                const BoundaryConditions<dim> &conditions,
-                const BodyForce<dim>          &body_force)
+  Loads<dim>::growing(const SplitMesh<dim>          &mesh,
+                      const BoundaryConditions<dim> &conditions,
+                      const BodyForce<dim>          &body_force)
   {
     // (at none of which waves vanish that do at the others)
     constexpr std::array<double, 4> times_between = {
@@ -93,10 +93,10 @@ namespace ElastoPlastic
 
   template <int dim>
   double
-  time_of_largest_load(const SplitMesh<dim>          &mesh,
-                       const BoundaryConditions<dim> &conditions,
-                       const BodyForce<dim>          &body_force,
-                       const std::vector<double>     &times)
+  Loads<dim>::time_of_largest(const SplitMesh<dim>          &mesh,
+                              const BoundaryConditions<dim> &conditions,
+                              const BodyForce<dim>          &body_force,
+                              const std::vector<double>     &times)
   {
     const auto load_at = [&](const double time) {
       return all_loads(mesh, conditions, body_force, time).linfty_norm();
@@ -110,22 +110,6 @@ namespace ElastoPlastic
 
 
 
-  template Loads<2>
-  growing_loads(const SplitMesh<2> &,
-                const BoundaryConditions<2> &,
-                const BodyForce<2> &);
-  template Loads<3>
-  growing_loads(const SplitMesh<3> &,
-                const BoundaryConditions<3> &,
-                const BodyForce<3> &);
-  template double
-  time_of_largest_load(const SplitMesh<2> &,
-                       const BoundaryConditions<2> &,
-                       const BodyForce<2> &,
-                       const std::vector<double> &);
-  template double
-  time_of_largest_load(const SplitMesh<3> &,
-                       const BoundaryConditions<3> &,
-                       const BodyForce<3> &,
-                       const std::vector<double> &);
+  template struct Loads<2>;
+  template struct Loads<3>;
 } // namespace ElastoPlastic

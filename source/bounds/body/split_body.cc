@@ -92,7 +92,7 @@ namespace ElastoPlastic
       const auto [stress, strain] = HenckyMaterial::units_of(materials);
       body.stress_unit            = stress;
       body.strain_unit            = strain;
-      body.length_unit            = size_of(body.mesh);
+      body.length_unit            = body.mesh.size();
       if (const double live_load =
             largest_load<dim>(body,
                               &FaceCondition<dim>::Component::live_load,
@@ -104,18 +104,6 @@ namespace ElastoPlastic
         }
     }
   } // namespace
-
-
-
-  template <int dim>
-  double
-  size_of(const SplitMesh<dim> &mesh)
-  {
-    double size = 0;
-    for (const auto &vertex : mesh.vertices)
-      keep_largest(size, vertex.distance(mesh.vertices.front()));
-    return size;
-  }
 
 
 
@@ -270,41 +258,41 @@ namespace ElastoPlastic
   // larger than the cohesion.
   template <int dim>
   void
-  set_friction(SplitBody<dim> &body, const std::vector<double> &slopes)
+  SplitBody<dim>::set_friction(const std::vector<double> &slopes)
   {
     const double largest_slope =
       *std::max_element(slopes.begin(), slopes.end());
     if (largest_slope == 0.)
       return;
-    for (const auto &simplex : body.mesh.simplices)
-      body.friction_slopes.push_back(
-        slopes.size() == 1 ? slopes.front() :
-                             slopes[body.mesh.cells[simplex.cell].material_id]);
+    for (const auto &simplex : mesh.simplices)
+      friction_slopes.push_back(slopes.size() == 1 ?
+                                  slopes.front() :
+                                  slopes[mesh.cells[simplex.cell].material_id]);
     const double factor =
       std::max(1.,
                largest_slope *
-                 largest_load<dim>(body,
+                 largest_load<dim>(*this,
                                    &FaceCondition<dim>::Component::value,
-                                   body.body_force) /
-                 body.stress_unit);
-    body.stress_unit *= factor;
-    body.strain_unit *= factor;
-    body.load_factor_unit *= factor;
+                                   body_force) /
+                 stress_unit);
+    stress_unit *= factor;
+    strain_unit *= factor;
+    load_factor_unit *= factor;
   }
 
 
 
   template <int dim>
   void
-  set_initial_stress(SplitBody<dim> &body, const InitialStress<dim> &stress)
+  SplitBody<dim>::set_initial_stress(const InitialStress<dim> &stress)
   {
     if (!stress.is_present())
       return;
     double     largest = 0, largest_distance = 0; // from what is linear
     Point<dim> worst_point;
-    for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
+    for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
       {
-        const auto                                 corners = body.corners_of(t);
+        const auto                                 corners = corners_of(t);
         const auto                                 centre  = centre_of(corners);
         std::array<SymmetricTensor<2, 3>, dim + 1> at_corners;
         for (unsigned int i = 0; i <= dim; ++i)
@@ -321,10 +309,9 @@ namespace ElastoPlastic
               worst_point = x;
             keep_largest(largest_distance, distance);
           }
-        auto &strains = body.initial_strains.emplace_back();
+        auto &strains = initial_strains.emplace_back();
         for (unsigned int i = 0; i <= dim; ++i)
-          strains[i] =
-            HenckyMaterial::compliance(body.materials[t], at_corners[i]);
+          strains[i] = HenckyMaterial::compliance(materials[t], at_corners[i]);
       }
     if (!(largest_distance <= Tolerance::expression * largest))
       throw InputError(
@@ -338,10 +325,6 @@ namespace ElastoPlastic
 
 
 
-  template double
-  size_of(const SplitMesh<2> &);
-  template double
-  size_of(const SplitMesh<3> &);
   template struct SplitBody<2>;
   template struct SplitBody<3>;
   template SplitBody<2>
@@ -358,12 +341,4 @@ namespace ElastoPlastic
                   const IndenterOnBody<3> &,
                   const Loads<3> &,
                   const Kinematics);
-  template void
-  set_friction(SplitBody<2> &, const std::vector<double> &);
-  template void
-  set_friction(SplitBody<3> &, const std::vector<double> &);
-  template void
-  set_initial_stress(SplitBody<2> &, const InitialStress<2> &);
-  template void
-  set_initial_stress(SplitBody<3> &, const InitialStress<3> &);
 } // namespace ElastoPlastic

@@ -69,6 +69,20 @@ namespace ElastoPlastic
 
 
 
+    /// M^-T
+    template <int dim>
+    FullMatrix<double>
+    rate_factor(const Material<double> &material)
+    {
+      FullMatrix<double> factor = stress_factor<dim>(material);
+      factor.gauss_jordan();
+      FullMatrix<double> result(factor.n(), factor.m());
+      result.copy_transposed(factor);
+      return result;
+    }
+
+
+
     /// A factor of coordinates as one of components.
     template <int dim, typename Factor>
     FullMatrix<double>
@@ -123,19 +137,6 @@ namespace ElastoPlastic
   stress_matrix(const Material<double> &material)
   {
     return factor_of_components<dim>(material, stress_factor<dim>);
-  }
-
-
-
-  template <int dim>
-  FullMatrix<double>
-  rate_factor(const Material<double> &material)
-  {
-    FullMatrix<double> factor = stress_factor<dim>(material);
-    factor.gauss_jordan();
-    FullMatrix<double> result(factor.n(), factor.m());
-    result.copy_transposed(factor);
-    return result;
   }
 
 
@@ -218,10 +219,6 @@ namespace ElastoPlastic
   stress_matrix<2>(const Material<double> &);
   template FullMatrix<double>
   stress_matrix<3>(const Material<double> &);
-  template FullMatrix<double>
-  rate_factor<2>(const Material<double> &);
-  template FullMatrix<double>
-  rate_factor<3>(const Material<double> &);
   template FullMatrix<double>
   rate_matrix<2>(const Material<double> &);
   template FullMatrix<double>

@@ -8,54 +8,23 @@
 
 namespace ElastoPlastic
 {
-  NoSolutionError::NoSolutionError()
-    : ConvergenceError(
-        "The problem that the interior point method solves has "
-        "no solution.")
-  {}
-
-
-
-  UnboundedError::UnboundedError()
-    : ConvergenceError(
-        "The cost that the interior point method minimises has "
-        "no lower bound.")
-  {}
-
-
-
   void
   check_solvability(const ConicProgram  &program,
                     const ConicLayout   &layout,
                     const ConicSolution &iterate,
                     const KktVector     &residual)
   {
-    Vector<double> multipliers_product(residual.x.size()), // A^T y + G^T z
-      cone_residual(residual.z.size());                    // G x + s
     const Vector<double> slope = quadratic_slope(program, layout, iterate.x);
-    double               linear_cost = -iterate.load_factor, offset_product = 0;
-    for (unsigned int b = 0; b < program.blocks.size(); ++b)
-      {
-        const ConicBlock &block = program.blocks[b];
-        for (unsigned int j = 0; j < block.linear_cost.size(); ++j)
-          {
-            const unsigned int row = layout.unknowns[b] + j;
-            multipliers_product[row] =
-              -residual.x[row] - slope[row] - block.linear_cost[j];
-            linear_cost += block.linear_cost[j] * iterate.x[row];
-          }
-        for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
-          {
-            const unsigned int row = layout.rows[b] + i;
-            cone_residual[row]     = block.cone_offset[i] - residual.z[row];
-            offset_product += block.cone_offset[i] * iterate.z[row];
-          }
-      }
+    Vector<double>       multipliers_product = residual.x; // -(A^T y + G^T z)
+    multipliers_product += slope;
+    multipliers_product += layout.linear_cost;
+    Vector<double> cone_residual = layout.cone_offset; // G x + s
+    cone_residual -= residual.z;
     Vector<double> product = program.right_hand_side; // A x - lambda d
     product -= residual.y;
 
     const double contradiction =
-      -(program.right_hand_side * iterate.y) - offset_product;
+      -(program.right_hand_side * iterate.y) - layout.cone_offset * iterate.z;
     const double live_load = program.live_load.size() > 0 ?
                                std::abs(program.live_load * iterate.y) :
                                0.;
@@ -66,7 +35,7 @@ namespace ElastoPlastic
         std::abs(multipliers_product * iterate.x) < 0.5 * contradiction)
       throw NoSolutionError();
 
-    const double descent        = -linear_cost;
+    const double descent = iterate.load_factor - layout.linear_cost * iterate.x;
     const double quadratic_cost = slope * iterate.x;
     if (std::max({quadratic_cost, // (a slope would become small with the mesh)
                   product.linfty_norm(),

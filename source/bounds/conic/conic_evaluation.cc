@@ -72,14 +72,17 @@ namespace ElastoPlastic
 
 
 
+    /// @p tolerance relative to the expected size.
     bool
-    is_in_cones(const ConicLayout &layout, const Vector<double> &s)
+    is_in_cones(const ConicLayout    &layout,
+                const Vector<double> &s,
+                const double          tolerance)
     {
       for (unsigned int c = 0; c < layout.cones.size(); ++c)
         {
           const auto of_s = layout.cone(s, c);
           if (SecondOrderCone::norm_of_tail(of_s) - of_s[0] >
-              Tolerance::cone * layout.scales[c].slack)
+              tolerance * layout.scales[c].slack)
             return false;
         }
       return true;
@@ -157,36 +160,24 @@ namespace ElastoPlastic
            ConicSolution      &solution)
   {
     KktVector residual;
-    residual.x.reinit(solution.x.size());
-    residual.z.reinit(solution.z.size());
-    residual.y = program.right_hand_side;
+    residual.x = layout.linear_cost;
+    residual.x *= -1.;
+    residual.z = layout.cone_offset;
     residual.z -= solution.s;
+    residual.y                 = program.right_hand_side;
     residual.load_factor       = program.live_load.size() > 0 ? 1. : 0.;
     const Vector<double> slope = quadratic_slope(program, layout, solution.x);
-    double               quadratic_cost = 0, linear_cost = 0,
-           dual_size = residual.load_factor;
-    for (unsigned int b = 0; b < program.blocks.size(); ++b)
-      {
-        const ConicBlock &block = program.blocks[b];
-        for (unsigned int i = 0; i < block.linear_cost.size(); ++i)
-          {
-            const unsigned int j = layout.unknowns[b] + i;
-            residual.x[j]        = -block.linear_cost[i];
-            quadratic_cost += solution.x[j] * slope[j];
-            linear_cost += solution.x[j] * block.linear_cost[i];
-            dual_size = std::max(
-              {dual_size, std::abs(slope[j]), std::abs(block.linear_cost[i])});
-          }
-        for (unsigned int i = 0; i < block.cone_offset.size(); ++i)
-          residual.z[layout.rows[b] + i] += block.cone_offset[i];
-      }
-    const double primal_size = std::max(
+    const double         dual_size   = std::max({residual.load_factor,
+                                                 slope.linfty_norm(),
+                                                 layout.linear_cost.linfty_norm()});
+    const double         primal_size = std::max(
       {1.,
-       program.right_hand_side.linfty_norm(),
-       std::abs(solution.load_factor) * largest_entry(program.live_load)});
+               program.right_hand_side.linfty_norm(),
+               std::abs(solution.load_factor) * largest_entry(program.live_load)});
     system.subtract_product(residual, solution);
 
-    solution.cost = 0.5 * quadratic_cost + linear_cost - solution.load_factor;
+    solution.cost = 0.5 * (slope * solution.x) +
+                    layout.linear_cost * solution.x - solution.load_factor;
     solution.relative_gap =
       (solution.s * solution.z) /
       std::max(Tolerance::smallest_cost, std::abs(solution.cost));
@@ -227,18 +218,25 @@ namespace ElastoPlastic
                   const ConicSolution &interior,
                   ConicSolution       &solution)
   {
-    ConicSolution inside = interior;
-    if (!satisfies_equations(solution))
+    const bool is_restored = !satisfies_equations(solution);
+    if (is_restored)
       {
         const auto scalings = expected_scalings(layout);
         if (!system.factorize(scalings))
           throw ConvergenceError("Rounding errors are too large.");
-        restore_equations(program, layout, system, inside);
         restore_equations(program, layout, system, solution);
       }
-    inside.s += evaluate(program, layout, system, inside).z;
     solution.s += evaluate(program, layout, system, solution).z;
+    if (is_in_cones(layout, solution.s, 0.))
+      {
+        evaluate(program, layout, system, solution);
+        return true;
+      }
 
+    ConicSolution inside = interior;
+    if (is_restored)
+      restore_equations(program, layout, system, inside);
+    inside.s += evaluate(program, layout, system, inside).z;
     const double part = part_in_cones(layout, inside.s, solution.s);
     if (part > 0 && part < 1)
       {
@@ -248,7 +246,7 @@ namespace ElastoPlastic
           part * solution.load_factor + (1. - part) * inside.load_factor;
       }
     evaluate(program, layout, system, solution);
-    return part > 0 || is_in_cones(layout, solution.s);
+    return part > 0 || is_in_cones(layout, solution.s, Tolerance::cone);
   }
 
 

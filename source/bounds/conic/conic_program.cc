@@ -86,6 +86,18 @@ namespace ElastoPlastic
         rows.push_back(begin);
         first_cones.push_back(cones.size());
       }
+    linear_cost.reinit(unknowns.back());
+    cone_offset.reinit(rows.back());
+    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+      {
+        const ConicBlock &block = program.blocks[b];
+        std::copy(block.linear_cost.begin(),
+                  block.linear_cost.end(),
+                  linear_cost.begin() + unknowns[b]);
+        std::copy(block.cone_offset.begin(),
+                  block.cone_offset.end(),
+                  cone_offset.begin() + rows[b]);
+      }
   }
 
 

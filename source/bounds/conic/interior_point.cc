@@ -340,7 +340,9 @@ namespace ElastoPlastic
             scalings[c].multiply(layout.cone(slack, c));
           }
         right_hand_side.z -= slack;
-        system.solve(direction.change, right_hand_side, relative_residual);
+        system.solve(direction.change,
+                     std::move(right_hand_side),
+                     relative_residual);
 
         scaled_z = direction.change.z;
         for (unsigned int c = 0; c < n_cones; ++c)

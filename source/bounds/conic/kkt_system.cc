@@ -43,14 +43,6 @@ namespace ElastoPlastic
     sparsity_pattern.copy_from(couplings);
     matrix.reinit(sparsity_pattern);
     sparse_factor = std::make_unique<SparseCholesky>(sparsity_pattern);
-    set_targets();
-  }
-
-
-
-  void
-  KktSystem::set_targets()
-  {
     for (BlockBatch &batch : batches)
       batch.set_targets([&](const unsigned int row, const unsigned int column) {
         return row < n_sparse_rows    ? &matrix(row, column) :
@@ -103,13 +95,12 @@ namespace ElastoPlastic
 
 
   void
-  KktSystem::solve(KktVector       &solution,
-                   const KktVector &right_hand_side,
-                   const double     relative_residual) const
+  KktSystem::solve(KktVector   &solution,
+                   KktVector    residual,
+                   const double relative_residual) const
   {
-    KktVector    residual = right_hand_side;
     const double small =
-      relative_residual * relative_residual * square(right_hand_side);
+      relative_residual * relative_residual * square(residual);
     double         last = std::numeric_limits<double>::max();
     Vector<double> y, reduced(residual.x.size());
     solution = KktVector();

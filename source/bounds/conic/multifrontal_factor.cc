@@ -27,8 +27,36 @@ namespace ElastoPlastic
 
 
 
-    /// The lower half of C -= A B^T, see DensePanels::subtract_square(), for
-    /// the tile @p t of columns of C.
+    unsigned int
+    n_tiles(const unsigned int n)
+    {
+      return (n + n_in_tile - 1) / n_in_tile;
+    }
+
+
+
+    /// Runs @p action for all numbers below @p n, so many at a time by
+    /// different threads. (Where that is only one, threads would cost more than
+    /// most fronts.)
+    template <typename Action>
+    void
+    in_parallel(const unsigned int n,
+                const unsigned int n_at_a_time,
+                const Action      &action)
+    {
+      if (n <= n_at_a_time)
+        for (unsigned int i = 0; i < n; ++i)
+          action(i);
+      else
+#pragma omp parallel for schedule(dynamic, n_at_a_time)
+        for (unsigned int i = 0; i < n; ++i)
+          action(i);
+    }
+
+
+
+    /// The lower half of C -= A B^T by tiles of columns of C, see
+    /// DensePanels::subtract_square().
     void
     subtract_square(double            *c,
                     const unsigned int m,
@@ -36,25 +64,19 @@ namespace ElastoPlastic
                     const unsigned int stride_of_c,
                     const double      *a,
                     const unsigned int k,
-                    const unsigned int stride,
-                    const unsigned int t)
+                    const unsigned int stride)
     {
-      const unsigned int first = t * n_in_tile;
-      DensePanels::subtract_square(c + std::size_t(first) * stride_of_c + first,
-                                   m - first,
-                                   std::min(n_in_tile, n - first),
-                                   stride_of_c,
-                                   a + first,
-                                   k,
-                                   stride);
-    }
-
-
-
-    unsigned int
-    n_tiles(const unsigned int n)
-    {
-      return (n + n_in_tile - 1) / n_in_tile;
+      in_parallel(n_tiles(n), 1, [&](const unsigned int t) {
+        const unsigned int first = t * n_in_tile;
+        DensePanels::subtract_square(c + std::size_t(first) * stride_of_c +
+                                       first,
+                                     m - first,
+                                     std::min(n_in_tile, n - first),
+                                     stride_of_c,
+                                     a + first,
+                                     k,
+                                     stride);
+      });
     }
   } // namespace
 
@@ -174,7 +196,7 @@ namespace ElastoPlastic
 
 
   std::vector<std::size_t>
-  MultifrontalFactor::positions(const std::vector<Entry> &entries) const
+  MultifrontalFactor::positions(const dealii::SparsityPattern &pattern) const
   {
     const auto *const order =
       static_cast<const SuiteSparse_long *>(factor.Perm);
@@ -187,19 +209,20 @@ namespace ElastoPlastic
         front_of[fronts[f].rows[i]] = f;
 
     std::vector<std::size_t> result;
-    result.reserve(entries.size());
-    for (const Entry &entry : entries)
-      {
-        const auto [column, row] =
-          std::minmax(place[entry.row], place[entry.column]);
-        const Front      &front           = fronts[front_of[column]];
-        const std::size_t column_of_front = column - front.rows[0];
-        const std::size_t row_of_front =
-          std::lower_bound(front.rows, front.rows + front.n_rows, row) -
-          front.rows;
-        result.push_back(front.begin + column_of_front * front.n_rows +
-                         row_of_front);
-      }
+    for (unsigned int i = 0; i < pattern.n_rows(); ++i)
+      for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
+        if (entry->column() <= i)
+          {
+            const auto [column, row] =
+              std::minmax(place[i], place[entry->column()]);
+            const Front      &front           = fronts[front_of[column]];
+            const std::size_t column_of_front = column - front.rows[0];
+            const std::size_t row_of_front =
+              std::lower_bound(front.rows, front.rows + front.n_rows, row) -
+              front.rows;
+            result.push_back(front.begin + column_of_front * front.n_rows +
+                             row_of_front);
+          }
     return result;
   }
 
@@ -243,8 +266,7 @@ namespace ElastoPlastic
         const unsigned int      size   = child.n_updated();
         const double *const     values = updates[c].get();
         const std::vector<Rows> common = rows_in_common(child, front);
-#pragma omp parallel for schedule(dynamic, 64)
-        for (unsigned int k = 0; k < common.size(); ++k)
+        in_parallel(common.size(), n_together, [&](const unsigned int k) {
           for (unsigned int j = common[k].begin; j < common[k].end; ++j)
             {
               const std::size_t column = j + common[k].shift;
@@ -259,6 +281,7 @@ namespace ElastoPlastic
                      ++i)
                   target[i + common[l].shift] += source[i];
             }
+        });
         updates[c].reset();
       }
   }
@@ -277,23 +300,20 @@ namespace ElastoPlastic
         double *const      diagonal = begin + std::size_t(k) * front.n_rows + k;
         if (!DensePanels::factorize(diagonal, n, front.n_rows))
           return false;
-#pragma omp parallel for schedule(dynamic)
-        for (unsigned int t = 0; t < n_tiles(below); ++t)
+        in_parallel(n_tiles(below), 1, [&](const unsigned int t) {
           DensePanels::divide(diagonal + n + t * n_in_tile,
                               std::min(n_in_tile, below - t * n_in_tile),
                               n,
                               diagonal,
                               front.n_rows);
-#pragma omp parallel for schedule(dynamic)
-        for (unsigned int t = 0; t < n_tiles(rest); ++t)
-          subtract_square(diagonal + std::size_t(n) * front.n_rows + n,
-                          below,
-                          rest,
-                          front.n_rows,
-                          diagonal + n,
-                          n,
-                          front.n_rows,
-                          t);
+        });
+        subtract_square(diagonal + std::size_t(n) * front.n_rows + n,
+                        below,
+                        rest,
+                        front.n_rows,
+                        diagonal + n,
+                        n,
+                        front.n_rows);
       }
     return true;
   }
@@ -307,10 +327,8 @@ namespace ElastoPlastic
     const unsigned int  n     = front.n_updated();
     const double *const rows =
       static_cast<const double *>(factor.x) + front.begin + front.n_columns;
-#pragma omp parallel for schedule(dynamic)
-    for (unsigned int t = 0; t < n_tiles(n); ++t)
-      subtract_square(
-        updates[f].get(), n, n, n, rows, front.n_columns, front.n_rows, t);
+    subtract_square(
+      updates[f].get(), n, n, n, rows, front.n_columns, front.n_rows);
   }
 
 

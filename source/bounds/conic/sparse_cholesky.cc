@@ -22,17 +22,13 @@ namespace ElastoPlastic
     : factor(nullptr, FactorDeleter{&common})
   {
     // The lower half by rows is, for CHOLMOD, the upper half by columns.
-    std::vector<SuiteSparse_long>          row_begins(1, 0), columns;
-    std::vector<MultifrontalFactor::Entry> entries;
+    std::vector<SuiteSparse_long> row_begins(1, 0), columns;
     for (unsigned int row = 0; row < pattern.n_rows(); ++row)
       {
         for (auto entry = pattern.begin(row); entry != pattern.end(row);
              ++entry)
           if (entry->column() <= row)
-            {
-              columns.push_back(entry->column());
-              entries.push_back({row, entry->column()});
-            }
+            columns.push_back(entry->column());
         std::sort(columns.begin() + row_begins.back(), columns.end());
         row_begins.push_back(columns.size());
       }
@@ -51,9 +47,9 @@ namespace ElastoPlastic
       throw std::bad_alloc();
     fronts = std::make_unique<MultifrontalFactor>(*factor);
     require_memory(sizeof(double) * static_cast<double>(factor->xsize) +
-                     fronts->workspace() + sizeof(std::size_t) * entries.size(),
+                     fronts->workspace() + sizeof(std::size_t) * columns.size(),
                    "to factorise the equations of the equilibrium method");
-    positions = fronts->positions(entries);
+    positions = fronts->positions(pattern);
     if (!cholmod_l_change_factor(
           CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
       throw std::bad_alloc();

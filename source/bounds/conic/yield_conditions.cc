@@ -53,7 +53,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
   void
   add_yield_conditions(ConicBlock                &block,
                        const FullMatrix<double>  &deviator,
@@ -61,10 +60,10 @@ namespace ElastoPlastic
                        const std::vector<double> &weights,
                        const double               radius)
   {
-    constexpr unsigned int n_components = n_stress_components<dim>;
-    const unsigned int     size         = 1 + deviator.m();
-    const unsigned int     n            = point_stresses.n();
-    const unsigned int     n_cones =
+    const unsigned int n_components = deviator.n();
+    const unsigned int size         = 1 + deviator.m();
+    const unsigned int n            = point_stresses.n();
+    const unsigned int n_cones =
       weights.size() - std::count(weights.begin(), weights.end(), 0.);
 
     block.cone_matrix.reinit(size * n_cones, n);
@@ -124,18 +123,6 @@ namespace ElastoPlastic
   deviator_matrix<2>();
   template FullMatrix<double>
   deviator_matrix<3>();
-  template void
-  add_yield_conditions<2>(ConicBlock &,
-                          const FullMatrix<double> &,
-                          const FullMatrix<double> &,
-                          const std::vector<double> &,
-                          const double);
-  template void
-  add_yield_conditions<3>(ConicBlock &,
-                          const FullMatrix<double> &,
-                          const FullMatrix<double> &,
-                          const std::vector<double> &,
-                          const double);
   template void
   add_friction<2>(ConicBlock &,
                   const FullMatrix<double> &,

@@ -81,15 +81,15 @@ namespace ElastoPlastic
         if (HenckyMaterial::yields(material))
           for (const auto &plastic : plastic_strain)
             result += material.yield_radius * norm(plastic) / (dim + 1.);
-        for (const WeightedPoint<dim> &point : quadrature_of_part(r))
+        for (const auto &[position, weight] : quadrature_of_part(r))
           result +=
-            point.weight *
+            weight *
             HenckyMaterial::quadratic_gap(material,
                                           norm,
-                                          strain_at(point.position),
-                                          point.interpolate(plastic_strain),
-                                          point.interpolate(stress),
-                                          point.interpolate(zeta));
+                                          strain_at(position),
+                                          interpolate(position, plastic_strain),
+                                          interpolate(position, stress),
+                                          interpolate(position, zeta));
         return result;
       }
 

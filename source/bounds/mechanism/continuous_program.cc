@@ -130,9 +130,8 @@ namespace ElastoPlastic
       : body(body)
       , velocities(make_continuous_velocities(body))
     {
-      program.right_hand_side.reinit(velocities->n_functions());
-      if (body.load_factor_unit > 0)
-        program.live_load.reinit(velocities->n_functions());
+      program.set_equations(velocities->n_functions(),
+                            body.load_factor_unit > 0);
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         {
           const Functions<dim> functions = velocities->functions_of(t);
@@ -171,9 +170,7 @@ namespace ElastoPlastic
                       (weighted_velocity(
                          body, velocity, t, view.point(point.position)) *
                        component.direction);
-                    program.right_hand_side[number] += constant * along;
-                    if (body.load_factor_unit > 0)
-                      program.live_load[number] += growing * along;
+                    program.add_load(number, constant * along, growing * along);
                   }
               });
           }
@@ -196,10 +193,10 @@ namespace ElastoPlastic
           Tensor<1, dim> mean;
           for (const auto &[point, weight] : simplex_quadrature<dim>())
             mean += weight * weighted_velocity(body, velocity, t, point);
-          program.right_hand_side[number] += size * (body.body_force * mean);
-          if (body.load_factor_unit > 0)
-            program.live_load[number] +=
-              size * body.load_factor_unit * (body.live_body_force * mean);
+          program.add_load(number,
+                           size * (body.body_force * mean),
+                           size * body.load_factor_unit *
+                             (body.live_body_force * mean));
         }
     }
 
@@ -297,12 +294,11 @@ namespace ElastoPlastic
         stresses.fill(components, components.m() * p, n_unknowns * p);
 
       ConicBlock &block = program.blocks.emplace_back(n);
-      add_yield_conditions<dim>(block,
-                                stress_matrix<dim>(body.materials[t]),
-                                stresses,
-                                weights,
-                                body.materials[t].yield_radius /
-                                  body.stress_unit);
+      add_yield_conditions(block,
+                           stress_matrix<dim>(body.materials[t]),
+                           stresses,
+                           weights,
+                           body.materials[t].yield_radius / body.stress_unit);
       if (body.has_friction() && body.friction_slopes[t] > 0.)
         {
           add_friction<dim>(block,
@@ -354,20 +350,14 @@ namespace ElastoPlastic
           tolerance;
       const ConicSolution solution = minimize(program, smaller);
 
-      VelocityField<dim> field;
+      VelocityField<dim> field = field_of(body, solution);
+      field.is_optimal         = solution.relative_gap <= tolerance;
       for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
         {
           SimplexVelocity<dim> &sum = field.velocity.emplace_back();
           for (const auto &[number, velocity] : velocities->functions_of(t))
-            for (unsigned int i = 0; i < sum.coefficients.size(); ++i)
-              sum.coefficients[i] -=
-                solution.y[number] * velocity.coefficients[i];
+            sum.add(-solution.y[number], velocity);
         }
-      field.bound =
-        -solution.cost *
-        (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
-      field.n_iterations = solution.n_iterations;
-      field.is_optimal   = solution.relative_gap <= tolerance;
       return field;
     }
   } // namespace

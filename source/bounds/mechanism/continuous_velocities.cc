@@ -3,7 +3,6 @@
 
 #include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/continuous_velocities.h"
-#include "bounds/mechanism/revolution_velocities.h"
 
 namespace ElastoPlastic
 {
@@ -196,7 +195,7 @@ namespace ElastoPlastic
   {
     if constexpr (dim == 2)
       if (body.is_axisymmetric())
-        return std::make_unique<RevolutionVelocities>(body);
+        return make_revolution_velocities(body);
     return std::make_unique<QuadraticVelocities<dim>>(body);
   }
 

@@ -21,92 +21,6 @@ namespace ElastoPlastic
     constexpr unsigned int
       n_rates = Bernstein<dim>::n_functions(rate_degree<dim>);
 
-    template <int dim>
-    using Rates = std::array<SymmetricTensor<2, 3>, n_rates<dim>>;
-
-    /// The change of the velocity at a point for each unit of the way from the
-    /// first corner to corner @p k, by differences of points, some outside of
-    /// the simplex: exact for polynomials of degree 4.
-    template <int dim>
-    Tensor<1, dim>
-    change_towards(const SplitBody<dim>       &body,
-                   const SimplexVelocity<dim> &velocity,
-                   const unsigned int          t,
-                   const Barycentric<dim>     &point,
-                   const unsigned int          k)
-    {
-      constexpr double step = 0.25;
-      const auto       at   = [&](const double way) {
-        Barycentric<dim> beside = point;
-        beside[0] -= way;
-        beside[k] += way;
-        return velocity_at(body, velocity, t, beside);
-      };
-      return (8. * (at(step) - at(-step)) - (at(2. * step) - at(-2. * step))) /
-             (12. * step);
-    }
-
-
-
-    /// The strain rate at a point.
-    template <int dim>
-    SymmetricTensor<2, 3>
-    rate_at(const SplitBody<dim>       &body,
-            const SimplexVelocity<dim> &velocity,
-            const unsigned int          t,
-            const Barycentric<dim>     &point)
-    {
-      const auto     corners = body.corners_of(t);
-      Tensor<2, dim> ways, changes;
-      for (unsigned int k = 0; k < dim; ++k)
-        {
-          ways[k]    = corners[k + 1] - corners[0];
-          changes[k] = change_towards(body, velocity, t, point, k + 1);
-        }
-      const auto   rate = symmetrize(invert(ways) * changes);
-      const auto   x    = interpolate(point, corners);
-      const double across =
-        !body.is_axisymmetric() ? 0. :
-        body.is_on_axis(x)      ? rate[0][0] :
-                                  velocity_at(body, velocity, t, point)[0] / x[0];
-      return in_space<dim>(rate, across);
-    }
-
-
-
-    /// The coefficients of the strain rate.
-    template <int dim>
-    Rates<dim>
-    coefficients_of_rate(const SplitBody<dim>       &body,
-                         const SimplexVelocity<dim> &velocity,
-                         const unsigned int          t)
-    {
-      constexpr unsigned int degree = rate_degree<dim>;
-      Rates<dim>             coefficients;
-      for (unsigned int p = 0; p < n_rates<dim>; ++p)
-        {
-          const auto at_point =
-            rate_at(body, velocity, t, Bernstein<dim>::points(degree)[p]);
-          for (unsigned int i = 0; i < n_rates<dim>; ++i)
-            coefficients[i] +=
-              Bernstein<dim>::coefficients(degree)(i, p) * at_point;
-        }
-      return coefficients;
-    }
-
-
-
-    template <int dim>
-    double
-    rate_of_shear(const SplitBody<dim> &body, const SymmetricTensor<2, 3> &rate)
-    {
-      return dim == 3 || body.is_axisymmetric() ?
-               std::sqrt(2.) * deviator(rate).norm() :
-               std::hypot(rate[0][0] - rate[1][1], 2. * rate[0][1]);
-    }
-
-
-
     /// The integrals of the functions times the weight of the body, over a
     /// triangle of area 1; in space they are all the same.
     std::array<double, n_rates<2>>
@@ -128,32 +42,136 @@ namespace ElastoPlastic
 
 
 
-    /// By how much v_r is not r times the polynomial e_tt with these
-    /// coefficients: all rates are quadratic only if it is. As a rate off the
-    /// axis, times the size of the triangle.
-    double
-    departure_from_quadratic(const SplitBody<2>       &body,
-                             const SimplexVelocity<2> &velocity,
-                             const unsigned int        t,
-                             const Rates<2>           &rates)
+    /// The strain rates of a simplex.
+    template <int dim>
+    class SoilMotion
     {
-      double largest = 0.;
-      for (const auto &point : Bernstein<2>::points(velocity_degree<2>))
-        {
-          const auto functions = Bernstein<2>::functions(2, point);
-          double     rate      = 0.;
-          for (unsigned int i = 0; i < n_quadratics; ++i)
-            rate += functions[i] * rates[i][2][2];
-          const auto   corners = body.corners_of(t);
-          const double v_r     = velocity_at(body, velocity, t, point)[0];
-          const auto   x       = interpolate(point, corners);
-          keep_largest(largest,
-                       body.is_on_axis(x) ? std::abs(v_r) :
-                                            std::sqrt(volume(corners)) *
-                                              std::abs(v_r / x[0] - rate));
-        }
-      return largest;
-    }
+    public:
+      SoilMotion(const SplitBody<dim>       &body,
+                 const SimplexVelocity<dim> &velocity,
+                 const unsigned int          t)
+        : body(body)
+        , velocity(velocity)
+        , t(t)
+        , corners(body.corners_of(t))
+        , slope(body.friction_slopes[t])
+      {
+        constexpr unsigned int degree = rate_degree<dim>;
+        for (unsigned int p = 0; p < n_rates<dim>; ++p)
+          {
+            const auto at_point = rate_at(Bernstein<dim>::points(degree)[p]);
+            for (unsigned int i = 0; i < n_rates<dim>; ++i)
+              rates[i] += Bernstein<dim>::coefficients(degree)(i, p) * at_point;
+          }
+      }
+
+      double
+      missing_dilatation() const
+      {
+        double missing = 0.;
+        for (const auto &rate : rates)
+          keep_largest(missing,
+                       slope > 0. ? slope * rate_of_shear(rate) - trace(rate) :
+                                    std::abs(trace(rate)));
+        missing *= std::pow(volume(corners), 1. / dim);
+        if (body.is_axisymmetric())
+          keep_largest(missing, departure_from_quadratic());
+        return missing;
+      }
+
+      double
+      plastic_work() const
+      {
+        const auto weights = moments(body, corners);
+        double     sum     = 0.;
+        for (unsigned int i = 0; i < rates.size(); ++i)
+          {
+            const double shear = rate_of_shear(rates[i]);
+            sum +=
+              weights[i] *
+              (slope > 0. ? std::max(shear, trace(rates[i]) / slope) : shear);
+          }
+        return body.angle() * std::sqrt(0.5) * body.materials[t].yield_radius *
+               volume(corners) * sum;
+      }
+
+    private:
+      /// The change of the velocity at a point for each unit of the way from
+      /// the first corner to corner @p k, by differences of points, some
+      /// outside of the simplex: exact for polynomials of degree 4.
+      Tensor<1, dim>
+      change_towards(const Barycentric<dim> &point, const unsigned int k) const
+      {
+        constexpr double step = 0.25;
+        const auto       at   = [&](const double way) {
+          Barycentric<dim> beside = point;
+          beside[0] -= way;
+          beside[k] += way;
+          return velocity_at(body, velocity, t, beside);
+        };
+        return (8. * (at(step) - at(-step)) -
+                (at(2. * step) - at(-2. * step))) /
+               (12. * step);
+      }
+
+      /// The strain rate at a point.
+      SymmetricTensor<2, 3>
+      rate_at(const Barycentric<dim> &point) const
+      {
+        Tensor<2, dim> ways, changes;
+        for (unsigned int k = 0; k < dim; ++k)
+          {
+            ways[k]    = corners[k + 1] - corners[0];
+            changes[k] = change_towards(point, k + 1);
+          }
+        const auto   rate = symmetrize(invert(ways) * changes);
+        const auto   x    = interpolate(point, corners);
+        const double across =
+          !body.is_axisymmetric() ? 0. :
+          body.is_on_axis(x)      ? rate[0][0] :
+                               velocity_at(body, velocity, t, point)[0] / x[0];
+        return in_space<dim>(rate, across);
+      }
+
+      double
+      rate_of_shear(const SymmetricTensor<2, 3> &rate) const
+      {
+        return dim == 3 || body.is_axisymmetric() ?
+                 std::sqrt(2.) * deviator(rate).norm() :
+                 std::hypot(rate[0][0] - rate[1][1], 2. * rate[0][1]);
+      }
+
+      /// By how much v_r is not r times the polynomial e_tt with the
+      /// coefficients: all rates are quadratic only if it is. As a rate off the
+      /// axis, times the size of the triangle.
+      double
+      departure_from_quadratic() const
+      {
+        double largest = 0.;
+        for (const auto &point : Bernstein<dim>::points(velocity_degree<dim>))
+          {
+            const auto functions =
+              Bernstein<dim>::functions(rate_degree<dim>, point);
+            double rate = 0.;
+            for (unsigned int i = 0; i < rates.size(); ++i)
+              rate += functions[i] * rates[i][2][2];
+            const double v_r = velocity_at(body, velocity, t, point)[0];
+            const auto   x   = interpolate(point, corners);
+            keep_largest(largest,
+                         body.is_on_axis(x) ? std::abs(v_r) :
+                                              std::sqrt(volume(corners)) *
+                                                std::abs(v_r / x[0] - rate));
+          }
+        return largest;
+      }
+
+      const SplitBody<dim>                           &body;
+      const SimplexVelocity<dim>                     &velocity;
+      const unsigned int                              t;
+      const Corners<dim>                              corners;
+      const double                                    slope; ///< f
+      std::array<SymmetricTensor<2, 3>, n_rates<dim>> rates; ///< coefficients
+    };
   } // namespace
 
 
@@ -164,20 +182,7 @@ namespace ElastoPlastic
                      const SimplexVelocity<dim> &velocity,
                      const unsigned int          t)
   {
-    const double     slope   = body.friction_slopes[t];
-    const Rates<dim> rates   = coefficients_of_rate(body, velocity, t);
-    double           missing = 0.;
-    for (const auto &rate : rates)
-      keep_largest(missing,
-                   slope > 0. ?
-                     slope * rate_of_shear(body, rate) - trace(rate) :
-                     std::abs(trace(rate)));
-    missing *= std::pow(volume(body.corners_of(t)), 1. / dim);
-    if constexpr (dim == 2)
-      if (body.is_axisymmetric())
-        keep_largest(missing,
-                     departure_from_quadratic(body, velocity, t, rates));
-    return missing;
+    return SoilMotion<dim>(body, velocity, t).missing_dilatation();
   }
 
 
@@ -188,19 +193,7 @@ namespace ElastoPlastic
                const SimplexVelocity<dim> &velocity,
                const unsigned int          t)
   {
-    const double     slope   = body.friction_slopes[t];
-    const auto       corners = body.corners_of(t);
-    const Rates<dim> rates   = coefficients_of_rate(body, velocity, t);
-    const auto       weights = moments(body, corners);
-    double           sum     = 0.;
-    for (unsigned int i = 0; i < rates.size(); ++i)
-      {
-        const double shear = rate_of_shear(body, rates[i]);
-        sum += weights[i] *
-               (slope > 0. ? std::max(shear, trace(rates[i]) / slope) : shear);
-      }
-    return body.angle() * std::sqrt(0.5) * body.materials[t].yield_radius *
-           volume(corners) * sum;
+    return SoilMotion<dim>(body, velocity, t).plastic_work();
   }
 
 

@@ -202,14 +202,8 @@ namespace ElastoPlastic
       solve(const double tolerance)
       {
         const ConicSolution solution = minimize(std::move(program), tolerance);
-        VelocityField<3>    field;
-        field.bound =
-          -solution.cost * (body.load_factor_unit > 0 ? body.load_factor_unit :
-                                                        body.force_unit());
-        field.n_iterations = solution.n_iterations;
-        field.is_optimal   = solution.is_optimal;
-
-        Vector<double> fluxes = solution.y;
+        VelocityField<3>    field    = field_of(body, solution);
+        Vector<double>      fluxes   = solution.y;
         fluxes *= -1.;
         unknowns.remove_divergence(fluxes);
         for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)

@@ -228,12 +228,7 @@ namespace ElastoPlastic
       solve(const double tolerance) const
       {
         const ConicSolution solution = minimize(program, tolerance);
-        VelocityField<2>    field;
-        field.bound        = -solution.cost * (body.load_factor_unit > 0 ?
-                                                 body.load_factor_unit :
-                                                 body.angle() * work_unit);
-        field.n_iterations = solution.n_iterations;
-        field.is_optimal   = solution.is_optimal;
+        VelocityField<2>    field    = field_of(body, solution);
         for (unsigned int t = 0; t < body.mesh.simplices.size(); ++t)
           {
             const StreamElement element(body, t, unknowns.has_flux(t));

@@ -159,21 +159,6 @@ namespace ElastoPlastic
             });
     }
 
-
-
-    /// int v dx over a simplex, or 2 pi int r v. In the plane, weighted
-    /// velocities are polynomials of degree 4.
-    template <int dim>
-    Tensor<1, dim>
-    integral_of_velocity(const SplitBody<dim>       &body,
-                         const SimplexVelocity<dim> &velocity,
-                         const unsigned int          t)
-    {
-      Tensor<1, dim> sum;
-      for (const auto &[point, weight] : simplex_quadrature<dim>())
-        sum += weight * weighted_velocity(body, velocity, t, point);
-      return body.angle() * volume(body.corners_of(t)) * sum;
-    }
   } // namespace
 
 
@@ -211,6 +196,7 @@ namespace ElastoPlastic
 
 
 
+  // In the plane, weighted velocities are polynomials of degree 4.
   template <int dim>
   TwoLoads
   power_of_loads(const SplitBody<dim> &body, const Velocities<dim> &velocity)
@@ -220,7 +206,10 @@ namespace ElastoPlastic
       add_tractions(power, body, velocity, view);
     for (unsigned int t = 0; t < velocity.size(); ++t)
       {
-        const auto integral = integral_of_velocity(body, velocity[t], t);
+        Tensor<1, dim> mean;
+        for (const auto &[point, weight] : simplex_quadrature<dim>())
+          mean += weight * weighted_velocity(body, velocity[t], t, point);
+        const auto integral = body.angle() * volume(body.corners_of(t)) * mean;
         add(power, body.body_force * integral, body.live_body_force * integral);
       }
     return power;

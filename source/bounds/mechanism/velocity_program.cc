@@ -49,7 +49,8 @@ namespace ElastoPlastic
         throw ConvergenceError(
           "No mechanism of collapse has been found, because of rounding "
           "errors.");
-      scale(field, 1. / size);
+      for (SimplexVelocity<dim> &velocity : field.velocity)
+        velocity *= 1. / size;
 
       field.error = check_velocity(body, field.velocity).largest();
       if (!(field.error <= Tolerance::admissibility))

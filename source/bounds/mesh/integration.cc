@@ -111,7 +111,7 @@ namespace ElastoPlastic
           point.position[tip]           = 1. - s;
           point.position[(tip + 1) % 3] = s * (1. - t);
           point.position[(tip + 2) % 3] = s * t;
-          const double r_here           = point.interpolate(r);
+          const double r_here           = interpolate(point.position, r);
           if (r_here == 0.)
             continue;
           point.weight =

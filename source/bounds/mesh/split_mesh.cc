@@ -10,8 +10,10 @@
 #include <map>
 
 #include "base/compatibility.h"
+#include "base/largest_error.h"
 #include "bounds/mesh/cut_cells.h"
 #include "bounds/mesh/split_mesh.h"
+#include "mesh/curved_boundaries.h"
 
 namespace ElastoPlastic
 {
@@ -152,6 +154,18 @@ namespace ElastoPlastic
 
 
   template <int dim>
+  double
+  SplitMesh<dim>::size() const
+  {
+    double size = 0;
+    for (const auto &vertex : vertices)
+      keep_largest(size, vertex.distance(vertices.front()));
+    return size;
+  }
+
+
+
+  template <int dim>
   SplitMesh<dim>
   make_split_mesh(const Triangulation<dim> &triangulation)
   {
@@ -165,14 +179,12 @@ namespace ElastoPlastic
 
   template <int dim>
   Vector<float>
-  cell_indicators(const SplitMesh<dim>      &mesh,
-                  const std::vector<double> &of_simplices,
-                  const Triangulation<dim>  &triangulation)
+  SplitMesh<dim>::cell_indicators(const std::vector<double> &of_simplices,
+                                  const Triangulation<dim> &triangulation) const
   {
     std::map<CellId, double> of_cell;
     for (unsigned int t = 0; t < of_simplices.size(); ++t)
-      of_cell[mesh.cells[mesh.simplices[t].cell].id] +=
-        std::max(0., of_simplices[t]);
+      of_cell[cells[simplices[t].cell].id] += std::max(0., of_simplices[t]);
     of_cell =
       Utilities::MPI::broadcast(communicator_of(triangulation), of_cell);
 
@@ -186,18 +198,29 @@ namespace ElastoPlastic
 
 
 
+  template <int dim>
+  std::string
+  warning_of_curved_body(const Triangulation<dim> &triangulation)
+  {
+    if (!has_curved_boundary(triangulation))
+      return "";
+    return "The boundary of the body is curved. Its bounds are those of the " +
+           std::string(dim == 2 ? "polygon" : "polyhedron") +
+           " that each mesh makes of it, which lacks what is beyond its sides, "
+           "and fills a part of every hole. They may exclude what holds for "
+           "the body, by about as much as the bounds of two meshes differ.";
+  }
+
+
+
   template struct SplitMesh<2>;
   template struct SplitMesh<3>;
   template SplitMesh<2>
   make_split_mesh(const Triangulation<2> &);
   template SplitMesh<3>
   make_split_mesh(const Triangulation<3> &);
-  template Vector<float>
-  cell_indicators(const SplitMesh<2> &,
-                  const std::vector<double> &,
-                  const Triangulation<2> &);
-  template Vector<float>
-  cell_indicators(const SplitMesh<3> &,
-                  const std::vector<double> &,
-                  const Triangulation<3> &);
+  template std::string
+  warning_of_curved_body(const Triangulation<2> &);
+  template std::string
+  warning_of_curved_body(const Triangulation<3> &);
 } // namespace ElastoPlastic

@@ -112,9 +112,25 @@ namespace ElastoPlastic
   unsigned int
   Bernstein<dim>::number_of(const Exponents &of_function)
   {
-    const auto &all =
-      exponents(std::accumulate(of_function.begin(), of_function.end(), 0));
-    return std::find(all.begin(), all.end(), of_function) - all.begin();
+    const auto place = [](const Exponents &exponents) {
+      unsigned int result = 0;
+      for (const int exponent : exponents)
+        result = (max_degree + 1) * result + exponent;
+      return result;
+    };
+    static const auto numbers = [place]() {
+      std::vector<unsigned int> result;
+      for (unsigned int n = 0; n <= max_degree; ++n)
+        for (unsigned int i = 0; i < n_functions(n); ++i)
+          {
+            const unsigned int p = place(exponents(n)[i]);
+            result.resize(std::max<std::size_t>(result.size(), p + 1));
+            result[p] = i;
+          }
+      return result;
+    }();
+    AssertIndexRange(place(of_function), numbers.size());
+    return numbers[place(of_function)];
   }
 
 
@@ -165,13 +181,11 @@ namespace ElastoPlastic
             power *= point[i];
           }
       }
-    std::vector<double> values;
-    for (const auto &of_function : exponents(degree))
-      {
-        double &value = values.emplace_back(factorials[degree]);
-        for (unsigned int i = 0; i <= dim; ++i)
-          value *= powers[i][of_function[i]];
-      }
+    const auto         &all = exponents(degree);
+    std::vector<double> values(all.size(), factorials[degree]);
+    for (unsigned int k = 0; k < all.size(); ++k)
+      for (unsigned int i = 0; i <= dim; ++i)
+        values[k] *= powers[i][all[k][i]];
     return values;
   }
 

@@ -72,12 +72,12 @@ namespace ElastoPlastic
     const Material<double>  &material = body.materials[t];
     ConicBlock              &block = program.blocks.emplace_back(stresses.n());
     if (yields(material))
-      add_yield_conditions<dim>(block,
-                                stress_matrix<dim>(material),
-                                stresses,
-                                local(t).weights(),
-                                usable_part(t) * material.yield_radius /
-                                  body.stress_unit);
+      add_yield_conditions(block,
+                           stress_matrix<dim>(material),
+                           stresses,
+                           local(t).weights(),
+                           usable_part(t) * material.yield_radius /
+                             body.stress_unit);
     if (hardens(material))
       for (unsigned int i = 0, n = n_growths(t); i < n; ++i)
         block.cone_matrix(n_stress_components<dim> * i,
@@ -217,11 +217,11 @@ namespace ElastoPlastic
         ConicBlock               block(values.size());
         const FullMatrix<double> identity{IdentityMatrix(values.size())};
         const auto               weights = local(t).weights();
-        add_yield_conditions<dim>(block,
-                                  stress_matrix<dim>(body.materials[t]),
-                                  identity,
-                                  weights,
-                                  /* radius = */ 1.);
+        add_yield_conditions(block,
+                             stress_matrix<dim>(body.materials[t]),
+                             identity,
+                             weights,
+                             /* radius = */ 1.);
         if (body.has_friction())
           add_friction<dim>(block,
                             identity,
