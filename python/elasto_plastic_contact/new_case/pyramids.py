@@ -70,7 +70,7 @@ def indentation(kind, given):
     case.remarks += [f"Forces and areas of history.csv are those of the part: times {2 * pyramid.n_faces} for the "
                      "whole.",
                      "Hardness and modulus: indentation.csv."]
-    case.kind_of_time = "corner of a cube" if kind == "cube-corner" else "finite strains, space"
+    case.kind_of_time = "corner of a cube" if kind == "cube-corner" else "pyramid"
     if kind == "cube-corner":
         warn_of_deep_corner(case, tip, given, radius)
     return case
