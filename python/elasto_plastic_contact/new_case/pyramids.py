@@ -70,7 +70,7 @@ def indentation(kind, given):
     case.remarks += [f"Forces and areas of history.csv are those of the part: times {2 * pyramid.n_faces} for the "
                      "whole.",
                      "Hardness and modulus: indentation.csv."]
-    case.kind_of_time = "corner of a cube" if kind == "cube-corner" else "finite strains, space"
+    case.kind_of_time = "corner of a cube" if kind == "cube-corner" else "pyramid"
     if kind == "cube-corner":
         warn_of_deep_corner(case, tip, given, radius)
     return case
@@ -124,7 +124,7 @@ def set_loading(case, pyramid, given, fineness):
     """Short steps first while few nodes touch: a tenth of the depth in the first fifth of the steps; of the force, a
     hundredth. The unloading has steps enough for the law of Oliver and Pharr. Returns its end."""
     steps = fineness.sector_steps
-    n_unloading = max(steps // 10, 8)
+    n_unloading = max(steps // 5, 8)
     if given.force is None:
         parts = [f"depth {text_of(part * case.units.length(given.depth))}" for part in (0.1, 0.35, 1.)]
     else:
@@ -135,5 +135,6 @@ def set_loading(case, pyramid, given, fineness):
     end = text_of(1. + n_unloading / steps)
     case.set("Loading", "History", " | ".join([*rows, f"{end}: force 0"]), "(short steps first, while few nodes touch)")
     case.set("Loading", "Number of steps", steps + n_unloading, f"{steps} of them load")
+    case.set("Loading", "Integration", "BDF2", "of second order in the length of the steps")
     describe_steps(case, steps, n_unloading)
     return end

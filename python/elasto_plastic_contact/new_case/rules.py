@@ -38,9 +38,9 @@ class Fineness:
 
 
 FINENESS = {
-    "coarse": Fineness(8, 10, 20, 20, 2, 40, 3),
-    "usual": Fineness(16, 20, 40, 30, 3, 80, 4),
-    "fine": Fineness(32, 40, 80, 60, 4, 160, 6),
+    "coarse": Fineness(8, 10, 20, 20, 2, 20, 3),
+    "usual": Fineness(16, 20, 40, 30, 3, 40, 4),
+    "fine": Fineness(32, 40, 80, 60, 4, 80, 6),
 }
 
 

@@ -51,10 +51,28 @@ def curves_by_steps(runs):
         exact, *others = [runs.tables(case, f"Loading/History=1: depth {depth} | {end}: force 0", STEPS.format(n), method)
                           for method, end, n in ((TWO_STEPS, 1.4, 560), (EULER, 1.2, 120), (TWO_STEPS, 1.4, 28),
                                                  (TWO_STEPS, 1.4, 42), (TWO_STEPS, 1.4, 56))]
-        rows += [[None, None, count(sum(step["newton_iterations"] for step in run["history"])),
-                  *(signed_percent(quantity(run) / quantity(exact) - 1, 2) for quantity in QUANTITIES),
-                  *(percent(error, 2) for error in errors_of_curve(run["history"], exact["history"]))] for run in others]
+        rows += [[None, *compared(run, exact)] for run in others]
     return Content(rows)
+
+
+@table(110)
+def pyramid_steps(runs):
+    """Loading and unloading of a sixth of Berkovich's pyramid, coarse, against 160 and 32 steps with two-step integration."""
+    def pressed(n, n_unloading, method):
+        end = 1 + n_unloading / n
+        return runs.tables("indentation/berkovich_sector.prm", "Geometry/Initial refinements=2", STEPS.format(n + n_unloading),
+                           f"Loading/History=0.2: depth 0.002 | 0.5: depth 0.007 | 1: depth 0.02 | {end}: force 0", method)
+
+    exact = pressed(160, 32, TWO_STEPS)
+    return Content([compared(pressed(*steps), exact) for steps in
+                    ((80, 8, EULER), (40, 8, EULER), (20, 8, TWO_STEPS), (40, 8, TWO_STEPS))])
+
+
+def compared(run, exact):
+    """Cells of a row: Newton steps, and the errors of QUANTITIES and of the curve."""
+    return [None, count(sum(step["newton_iterations"] for step in run["history"])),
+            *(signed_percent(quantity(run) / quantity(exact) - 1, 2) for quantity in QUANTITIES),
+            *(percent(error, 2) for error in errors_of_curve(run["history"], exact["history"]))]
 
 
 # The slope of the root of the force over the second half of the depth, squared; initial slope of the unloading, plastic

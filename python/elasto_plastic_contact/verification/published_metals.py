@@ -64,7 +64,7 @@ CONE_WITH_SLOPE = dataclasses.replace(CONE, name="_with_slope", quantities=(CURV
                                       looks_for_exponent=True)
 PYRAMID = Tip("_pyramid", "indentation/berkovich_sector.prm",
               COMMON | {"Loading/History": "0.1: depth 0.002 | 0.35: depth 0.007 | 1: depth 0.02 | 1.2: force 0",
-                        "Loading/Number of steps": 60},
+                        "Loading/Number of steps": 60, "Loading/Integration": "backward Euler"},
               {"Geometry/Initial refinements": 2}, (CURVATURE, WORK_SHARE, SLOPE))
 
 # The representative plastic strain [dao_2001].
