@@ -3,8 +3,9 @@
 """Tables of the advice on steps and meshes; see command."""
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
-from ..verification.finite_strain import CONE as DEEP_CONE, EULER, SPHERE as DEEP_SPHERE, TWO_STEPS
+from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHERE
 from ..verification.load_steps import ADAPTIVE, force_at
+from ..verification.runner import EULER, TWO_STEPS
 from ..verification.smooth_curves import at_place
 from .finite_strain import curvature_in_gpa, loading_of, plastic_share, unloading_slope
 from .recipe import Content, count, measured_table, percent, signed_percent, table
