@@ -3,11 +3,12 @@
 """Tables of the advice on steps and meshes; see command."""
 
 from ..verification.contact_edge import CASE as CONE, deviation_from_polynomial, deviation_from_similarity
-from ..verification.finite_strain import CONE as DEEP_CONE, EULER, SPHERE as DEEP_SPHERE, TWO_STEPS
+from ..verification.finite_strain import CONE as DEEP_CONE, SPHERE as DEEP_SPHERE
 from ..verification.load_steps import ADAPTIVE, force_at
+from ..verification.runner import EULER, TWO_STEPS
 from ..verification.smooth_curves import at_place
 from .finite_strain import curvature_in_gpa, loading_of, plastic_share, unloading_slope
-from .recipe import Content, count, measured_table, percent, signed_percent, table
+from .recipe import Content, count, hundredths, measured_table, percent, signed_percent, table
 
 STEPS = "Loading/Number of steps={}"
 
@@ -25,6 +26,18 @@ def adaptive_steps(runs):
                      signed_percent(curvature_in_gpa(steps) / curvature_in_gpa(reference) - 1)])
         numbers = {"adaptive": count(len(steps))}
     return Content(rows, numbers)
+
+
+@table(35)
+def following_cone(runs):
+    """The same on a mesh that follows the contact: the curvature in 50 steps, and how many of them there are if none is halved."""
+    loading = "Loading/History=1: depth 0.02"
+    exact = curvature_in_gpa(runs.history(DEEP_CONE, EULER, loading, STEPS.format(400)))
+    mesh = ("Geometry/Local refinements=3", "Refinement/Elements over contact radius=10", STEPS.format(50))
+    two_steps, fixed, adaptive = (runs.history(DEEP_CONE, way, loading, *mesh, *control) for way, control in
+                                  ((TWO_STEPS, ()), (EULER, ()), (EULER, (ADAPTIVE,))))
+    return Content(numbers={"missing": hundredths(1 - curvature_in_gpa(two_steps) / exact),
+                            "fixed": count(len(fixed)), "adaptive": count(len(adaptive))})
 
 
 @table(110)
@@ -107,7 +120,8 @@ def sphere_curve(runs):
     exact, _ = curve(TWO_STEPS, 240, 40)
     largest = max(force for _, _, force in exact)
     rows, as_it_is = [], None
-    for method, n_steps, n_elements in ((EULER, 60, 20), (TWO_STEPS, 60, 20), (TWO_STEPS, 60, 10), (TWO_STEPS, 51, 6)):
+    for method, n_steps, n_elements in ((EULER, 60, 20), (TWO_STEPS, 60, 20), (TWO_STEPS, 60, 10),
+                                        (TWO_STEPS, 60, 8), (TWO_STEPS, 51, 6)):
         found, time = curve(method, n_steps, n_elements)
         as_it_is = as_it_is or time
         errors = (max(abs(force - at_place(*zip(*branch(exact, begin)), depth)) for depth, force in branch(found, begin)) / largest

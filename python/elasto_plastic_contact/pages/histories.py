@@ -5,7 +5,7 @@
 import math
 
 from ..verification.indentation import CYCLES, at_time, of_both_laws
-from ..verification.runner import E_STAR
+from ..verification.runner import E_STAR, EULER, TWO_STEPS
 from .recipe import Content, count, decimals, hundredths, percent, power, signed_percent, table
 
 SPHERE = "indentation/sphere_axisymmetric.prm"
@@ -34,7 +34,7 @@ def energy_share(steps):
 @table(35)
 def sphere_fits(runs):
     """A sphere: force, residual depth, slope and work against published fits."""
-    steps, finer = runs.history(SPHERE), runs.history(SPHERE, ELEMENTS.format(40))
+    steps, finer = runs.history(SPHERE), runs.history(SPHERE, ELEMENTS.format(32))
     first_depth = 6.417988 * YIELD_STRESS**2 / E_STAR**2  # of yield, Johnson 1985, radius 1
     first_force = 21.678895 * YIELD_STRESS**3 / E_STAR**2
     ratios = [(step["depth"] / first_depth, step["force"] / first_force) for step in steps if step["time"] <= 1]
@@ -56,13 +56,16 @@ def sphere_fits(runs):
 
 @table(30)
 def sphere_steps(runs):
-    """Force and dissipation of the loading by the number of load steps."""
+    """Force and dissipation of the loading by the number of load steps, with both ways to integrate them."""
     numbers = (1, 2, 5, 10, 20, 40, 80)
-    ends = [runs.history(SPHERE, "Loading/History=1: depth 0.002", STEPS.format(n))[-1] for n in numbers]
-    forces = dict(zip(numbers, (end["force"] for end in ends)))
-    missing = {f"missing_{n}": percent(1 - forces[n] / forces[80], 1).removesuffix(" %") for n in (1, 20, 40)}
-    return Content([[None, *(f"{force:.3f}" for force in forces.values())],
-                    [None, *(f"{1e3 * end['dissipation']:.3f}" for end in ends)]], missing)
+    ends = {way: {n: runs.history(SPHERE, way, "Loading/History=1: depth 0.002", STEPS.format(n))[-1] for n in numbers}
+            for way in (EULER, TWO_STEPS)}
+    best = ends[TWO_STEPS][80]["force"]
+    missing = {name: percent(1 - ends[way][n]["force"] / best).removesuffix(" %") for name, way, n in
+               (("missing_1", EULER, 1), ("euler_20", EULER, 20), ("euler_80", EULER, 80), ("two_steps_20", TWO_STEPS, 20))}
+    return Content([row for by_number in ends.values() for row in
+                    ([None, *(f"{end['force']:.3f}" for end in by_number.values())],
+                     [None, *(f"{1e3 * end['dissipation']:.3f}" for end in by_number.values())])], missing)
 
 
 @table(30)
@@ -89,6 +92,8 @@ def oliver_pharr(runs):
         numbers |= {f"{name}_more_steps": hundredths(more["reduced_modulus"] / E_STAR - 1),
                     f"{name}_area": hundredths(1 - row["tip_area"] / row["contact_area"], 0),
                     f"{name}_pile_up": hundredths(abs(row["pile_up"]) / row["max_depth"], 0)}
+    larger, = runs.tables(SPHERE, "Geometry/Lower corner=0, -32", "Geometry/Upper corner=32, 0")["indentation"]
+    numbers["sphere_larger_body"] = hundredths(larger["reduced_modulus"] / E_STAR - 1)
     return Content(rows, numbers)
 
 
@@ -176,7 +181,7 @@ def tutorial_history(runs):
 def tutorial_elements(runs):
     """The tutorial's sphere with few and many elements over the contact radius."""
     rows = []
-    for n in (10, 20, 40):
+    for n in (8, 16, 32):
         steps = runs.history(SPHERE, ELEMENTS.format(n))
         top, bottom = at_time(steps, 1), at_time(steps, 2)
         until = [step["newton_iterations"] for step in steps if step["time"] <= 2]
@@ -223,7 +228,7 @@ def brinell(step):
 @table(2)
 def sphere_in_space(runs):
     """A sphere on a quarter in space against an axisymmetric body."""
-    body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3", "Geometry/Initial refinements=3",
+    body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3", EULER, "Geometry/Initial refinements=3",
             "Geometry/Local refinements=4", "Geometry/Local radius=1", ELEMENTS.format(0))
     quarter = runs.history("indentation/sphere_3d.prm", *body)[-1]
     whole = runs.history(SPHERE, *body, "Geometry/Lower corner=0, -2", "Geometry/Upper corner=2, 0",

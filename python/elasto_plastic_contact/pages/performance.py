@@ -9,6 +9,7 @@ import re
 from ..errors import UserError
 from ..program import checkout
 from ..verification.equilibrium import BOUND
+from ..verification.runner import EULER
 from ..verification.step42_comparison import CASES, run_both, times_to_accuracy
 from .recipe import Content, count, measured_table, table
 
@@ -104,7 +105,7 @@ def cost_of_cases(runs):
 # Of the table: cases in indentation/, with entries. The last two stay on one mesh.
 HISTORIES = (
     ("sphere_axisymmetric",), ("cone_axisymmetric",), ("hardened_steel",), ("sphere_3d",),
-    ("sphere_axisymmetric", "Loading/History=1: depth 0.002 | 2: force 0", "Loading/Number of steps=200",
+    ("sphere_axisymmetric", "Loading/History=1: depth 0.002 | 2: force 0", "Loading/Number of steps=200", EULER,
      "Refinement/Elements over contact radius=0", "Geometry/Lower corner=0, -4", "Geometry/Upper corner=4, 0",
      "Geometry/Initial refinements=5", "Geometry/Local refinements=6", "Geometry/Local radius=3",
      "Output/Fields=at times", "Output/Field times=1, 2"),

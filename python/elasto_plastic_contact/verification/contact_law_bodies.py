@@ -52,8 +52,8 @@ def uniform_mesh(name, n_elements):
 
 
 def plastic_body(shape, n_elements, dim):
-    """The mesh with a material without hardening."""
-    return mesh(shape.radius, n_elements, dim) | {"Material/Law": "perfectly plastic"}
+    """The mesh with a material without hardening, for steps of one kind, whatever the case has."""
+    return mesh(shape.radius, n_elements, dim) | {"Material/Law": "perfectly plastic", "Loading/Integration": "backward Euler"}
 
 
 def loading(runs, name, n_elements, edge, body="revolution", n_steps=None):

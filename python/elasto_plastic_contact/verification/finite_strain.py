@@ -11,14 +11,13 @@ from ..program import command_line
 from ..tables import read_tables
 from .homogeneous_strain import bar, simple_shear
 from .imprint import largest_difference
-from .runner import E, NU
+from .runner import E, EULER, NU
 
 BAR = ("verification/uniaxial_stress.prm", "Strain=logarithmic")
 CONE = "indentation/cone_finite_strain.prm"
 PYRAMID = "indentation/vickers_finite_strain.prm"
 BERKOVICH = "indentation/berkovich_finite_strain.prm"
 SPHERE = "indentation/sphere_finite_strain.prm"
-TWO_STEPS, EULER = "Loading/Integration=BDF2", "Loading/Integration=backward Euler"
 CONE_IN_SPACE = ("Indenter/Type=cone", "Indenter/Semi-apex angle=70")
 # Few cells and steps, for what does not depend on them.
 COARSE = ("Geometry/Local refinements=5", "Geometry/Local radius=1", "Loading/History=1: depth 0.1 | 1.2: force 0",

@@ -6,6 +6,7 @@ import math
 
 from ..fields import read_fields
 from ..tables import read_tables
+from .runner import EULER
 
 CYCLES = ("hardening_cycles/isotropic.prm", "Geometry/Local refinements=4")
 LAWS = ("isotropic", "kinematic")
@@ -136,7 +137,7 @@ def load_cycles(runner):
 
 def axisymmetric_against_space(runner):
     """The same sphere as an axisymmetric body and in space, cells of the same size."""
-    body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3",
+    body = ("Loading/History=", "Loading/Depth=0.01", "Loading/Number of steps=3", EULER,
             "Geometry/Initial refinements=3", "Geometry/Local refinements=4", "Geometry/Local radius=1",
             "Refinement/Elements over contact radius=0")
     quarter = runner.history("indentation/sphere_3d.prm", *body)[-1]

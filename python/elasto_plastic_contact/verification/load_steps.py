@@ -5,7 +5,8 @@
 import math
 import subprocess
 
-from .finite_strain import COARSE, CONE, EULER, TWO_STEPS
+from .finite_strain import COARSE, CONE
+from .runner import EULER, TWO_STEPS
 
 LOADING = "Loading/History=1: depth {}"
 ADAPTIVE = "Loading/Step control=adaptive"

@@ -14,6 +14,8 @@ from ..tables import read_tables
 # The steel of most cases (MPa) and its modulus under a rigid indenter.
 E, NU = 200000.0, 0.3
 E_STAR = E / (1 - NU**2)
+# The ways to integrate a load step; with two steps, fewer of them leave the same error.
+TWO_STEPS, EULER = "Loading/Integration=BDF2", "Loading/Integration=backward Euler"
 
 
 class Runner:

@@ -30,6 +30,7 @@ ALL = {
     "Strain": "small", "Material/Young's modulus": 200000, "Material/Poisson's ratio": 0.3, "Material/Yield stress": 400,
     "Discretization/Polynomial degree": 1, "Discretization/Volumetric treatment": "B-bar", "Refinement/Strategy": "none",
     "Nonlinear solver/Tolerance": 1e-12, "Loading/Maximum number of cuts": 6,
+    "Loading/Integration": "backward Euler",
 }
 
 

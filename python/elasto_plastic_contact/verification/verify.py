@@ -18,7 +18,7 @@ from . import uniaxial as exact_uniaxial
 from .anisotropic_limit_loads import hill_and_von_mises, hill_bodies, hill_error_bound, hill_layers, hill_strip_punch
 from .contact_edge import contact_edge, contact_mesh
 from .contact_pressure import contact_pressure
-from .runner import E, E_STAR, NU, Runner, add_program
+from .runner import E, E_STAR, EULER, NU, Runner, add_program
 from .equilibrium import (blas_kernels, equilibrium_hertz, equilibrium_limit, error_bound,
                           error_bound_ranks, error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, limit_load,
                           limit_load_revolution, limit_load_space, safe_load)
@@ -186,7 +186,7 @@ def chaboche_contact(runner):
     """A sphere on a material with recovering back stresses: the forces lead back to the depths."""
     entries = NONLINEAR_LAWS["Chaboche"].entries()
     entries += ["Geometry/Local refinements=4", "Geometry/Local radius=4", "Refinement/Elements over contact radius=0",
-                "Contact/Edge=at nodes", "Loading/Number of steps=6"]
+                "Contact/Edge=at nodes", "Loading/Number of steps=6", EULER]
     case = "indentation/sphere_axisymmetric.prm"
     by_depth = runner.history(case, *entries, "Loading/History=1: depth 0.02 | 2: depth 0.018")
     table = " | ".join(f"{step['time']:.15g}: force {step['force']:.15g}" for step in by_depth)
@@ -228,11 +228,11 @@ def force_control(runner):
 
 
 def sphere_indentation(runner):
-    """An elastic-plastic sphere: loading, unloading, residual depth (published fits)."""
+    """An elastic-plastic sphere on a body that is nearly a half space: loading, unloading, residual depth (published fits)."""
     yield_stress, radius = 400, 1.0
     first_depth = 6.417988 * radius * yield_stress**2 / E_STAR**2
     first_force = 21.678895 * radius**2 * yield_stress**3 / E_STAR**2
-    tables = runner.tables("indentation/sphere_axisymmetric.prm")
+    tables = runner.tables("indentation/sphere_axisymmetric.prm", "Geometry/Lower corner=0, -32", "Geometry/Upper corner=32, 0")
     steps = tables["history"]
     for step in steps:
         w = step["depth"] / first_depth

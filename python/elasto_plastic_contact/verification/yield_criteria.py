@@ -4,7 +4,7 @@
 
 import math
 
-from .runner import E, NU
+from .runner import E, EULER, NU
 
 YIELD = 400.0
 PERFECT = ("Material/Law=perfectly plastic", f"Material/Yield stress={YIELD}")
@@ -129,7 +129,7 @@ def hosford_cylinder(runner):
 def criteria_and_von_mises(runner):
     """Hosford with the exponents 2 and 4, and Hill with ratios of 1: an indentation as with von Mises."""
     entries = ("Refinement/Elements over contact radius=4", "Loading/History=1: depth 0.002 | 2: force 0",
-               "Loading/Number of steps=4", "Nonlinear solver/Tolerance=1e-11",
+               "Loading/Number of steps=4", EULER, "Nonlinear solver/Tolerance=1e-11",
                "Linear solver/Type=direct")
     forces = [[step["force"] for step in runner.history("indentation/sphere_axisymmetric.prm", *entries, *criterion)]
               for criterion in ((), ("Material/Yield criterion=Hosford", "Material/Hosford exponent=2"),
