@@ -105,7 +105,7 @@ def errors_of_curve(steps, exact):
             for coarse, fine in zip(branches(steps), branches(exact))]
 
 
-@measured_table(90)
+@measured_table(150)
 def sphere_curve(runs):
     """A curve of indentation with small strains, in and out and in again: fewer steps of second order, fewer elements."""
     def curve(method, n_steps, n_elements):
@@ -122,7 +122,8 @@ def sphere_curve(runs):
     rows, as_it_is = [], None
     for method, n_steps, n_elements in ((EULER, 60, 20), (TWO_STEPS, 60, 20), (TWO_STEPS, 60, 10),
                                         (TWO_STEPS, 60, 8), (TWO_STEPS, 51, 6)):
-        found, time = curve(method, n_steps, n_elements)
+        (found, *_), times = zip(*(curve(method, n_steps, n_elements) for _ in range(3)))
+        time = min(times)
         as_it_is = as_it_is or time
         errors = (max(abs(force - at_place(*zip(*branch(exact, begin)), depth)) for depth, force in branch(found, begin)) / largest
                   for begin in range(3))
