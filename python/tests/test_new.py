@@ -92,11 +92,13 @@ class Kinds(unittest.TestCase):
             self.assertGreater(thickness / cell, 3.99)
 
     def test_unloading_of_pyramids(self):
-        """Eight steps at least, with fields at its end."""
-        for mesh, end in (("coarse", "1.4"), ("usual", "1.2"), ("fine", "1.2")):
+        """Eight steps at least, with fields at its end, all of second order."""
+        for mesh, end, steps in (("coarse", "1.4", 28), ("usual", "1.2", 48), ("fine", "1.2", 96)):
             text = case_of("berkovich", mesh).text()
             self.assertIn(f"{end}: force 0", text)
             self.assertRegex(text, rf"Field times *= 1, {end}\n")
+            self.assertRegex(text, rf"Number of steps *= {steps}\b")
+            self.assertRegex(text, r"Integration *= BDF2\b")
 
     def test_law_of_film(self):
         for film, is_elastic in (("2 um, 400 GPa", True), ("2 um, 400 GPa, 20 GPa", False)):

@@ -9,7 +9,8 @@
 #include "problem/problem_checks.h"
 
 // The problem of a limit load on a mesh, and what can be wrong with it although
-// each entry is right.
+// each entry is right. Included by limit_load_analysis.cc, whose local
+// functions it uses.
 
 namespace ElastoPlastic
 {
@@ -91,7 +92,6 @@ namespace ElastoPlastic
              "is zero until there is one. Put the edges of the indenter on "
              "vertices of the mesh, or begin with smaller cells.";
     }
-
   } // namespace
 
 

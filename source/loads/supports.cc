@@ -74,6 +74,7 @@ namespace ElastoPlastic
   Supports<dim>::reinit(const DoFHandler<dim>      &new_dof_handler,
                         const std::optional<double> time)
   {
+    time_of_values.reset();
     dof_handler = &new_dof_handler;
     hanging     = empty_constraints(*dof_handler);
     DoFTools::make_hanging_node_constraints(*dof_handler, hanging);

@@ -169,7 +169,8 @@ namespace ElastoPlastic
     Array      &last  = last_piece[offsets.size() % last_piece.size()];
     const auto *begin = reinterpret_cast<const unsigned char *>(numbers.data());
     const auto *end   = begin + numbers.size() * sizeof(Number);
-    if (!std::equal(begin, end, last.data.begin(), last.data.end()))
+    if (last.compressed.empty() ||
+        !std::equal(begin, end, last.data.begin(), last.data.end()))
       {
         last.data.assign(begin, end);
         last.compressed = compress(last.data);

@@ -48,9 +48,9 @@ namespace ElastoPlastic
     bool
     factorize(const Scalings &scalings);
 
-    /// Solves the system, and repeats that with what is left, the @p residual,
-    /// which begins as the right-hand side: this removes what has been added,
-    /// and most of the rounding errors.
+    /// Solves the system for the right-hand side @p residual, and again for
+    /// what each solution leaves of it: this removes what has been added, and
+    /// most of the rounding errors.
     void
     solve(KktVector   &solution,
           KktVector    residual,

@@ -43,7 +43,7 @@ namespace ElastoPlastic
     static const std::vector<Exponents> &
     exponents(const unsigned int degree);
 
-    /// The number of a function among those of its degree.
+    /// The number of a function among those of its degree (at most 4).
     static unsigned int
     number_of(const Exponents &exponents);
 

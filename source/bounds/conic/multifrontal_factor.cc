@@ -36,8 +36,8 @@ namespace ElastoPlastic
 
 
     /// Runs @p action for all numbers below @p n, so many at a time by
-    /// different threads. (Where that is only one, threads would cost more than
-    /// most fronts.)
+    /// different threads. (If one thread would do all, none is begun: that
+    /// would cost more than most fronts.)
     template <typename Action>
     void
     in_parallel(const unsigned int n,
@@ -209,6 +209,7 @@ namespace ElastoPlastic
         front_of[fronts[f].rows[i]] = f;
 
     std::vector<std::size_t> result;
+    result.reserve(pattern.n_nonzero_elements());
     for (unsigned int i = 0; i < pattern.n_rows(); ++i)
       for (auto entry = pattern.begin(i); entry != pattern.end(i); ++entry)
         if (entry->column() <= i)

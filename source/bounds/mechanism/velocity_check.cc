@@ -158,7 +158,6 @@ namespace ElastoPlastic
                   along * component.live_load(point));
             });
     }
-
   } // namespace
 
 
@@ -196,7 +195,8 @@ namespace ElastoPlastic
 
 
 
-  // In the plane, weighted velocities are polynomials of degree 4.
+  // (In the plane, weighted velocities are polynomials of degree 4, which the
+  // quadrature integrates exactly.)
   template <int dim>
   TwoLoads
   power_of_loads(const SplitBody<dim> &body, const Velocities<dim> &velocity)
