@@ -311,7 +311,8 @@ class Commands(unittest.TestCase):
             self.assertRegex(process.stderr, f"argument --{option}: (it is|there is no) '-1'")
         self.assertEqual(command("verify", "nonsense").returncode, 2)
         self.assertEqual(command("nonsense").returncode, 2)
-        self.assertEqual(command("--help").returncode, 0)
+        for arguments in (["--help"], ["verify", "--help"]):
+            self.assertEqual(command(*arguments).returncode, 0)
 
 
 if __name__ == "__main__":

@@ -329,7 +329,8 @@ def main(arguments):
     parser = argparse.ArgumentParser(prog="verify", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", nargs="*", metavar="CASE",
-                        help=", ".join(f"{n} ({f.__doc__.strip()})" for n, f in ALL.items()))
+                        help=", ".join(f"{name} ({case.__doc__.splitlines()[0]})" for name, case in ALL.items())
+                        .replace("%", "%%"))
     add_program(parser)
     parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
