@@ -32,23 +32,27 @@ def main(arguments):
     add_program(parser)
     parser.add_argument("--ranks", type=number(int, least=1), default=1)
     chosen = parser.parse_args(arguments)
-    texts = {page: page.read_text(encoding="utf-8") for page in sorted((checkout() / "doc").rglob("*.md"))}
-    check_names(texts)
+    check_names(pages())
     if chosen.list:
-        print_list(texts)
+        print_list(pages())
         return 0
     runs = Runs(chosen.program, chosen.ranks)
     n_differences = 0
     for name in choose(chosen.names):
         print(f"{name}: {RECIPES[name].title}", flush=True)
         content = {name: RECIPES[name].compute(runs)}
-        for page, text in texts.items():
-            texts[page] = fill(text, content)
+        for page, text in pages().items():
+            filled = fill(text, content)
             if chosen.check:
-                n_differences += report(page, text, texts[page])
-            elif texts[page] != text:
-                page.write_text(texts[page], encoding="utf-8")
+                n_differences += report(page, text, filled)
+            elif filled != text:
+                page.write_text(filled, encoding="utf-8")
     return 1 if runs.failed or n_differences else 0
+
+
+def pages():
+    """What stands in each page of doc/ now: it may be edited while recipes compute."""
+    return {page: page.read_text(encoding="utf-8") for page in sorted((checkout() / "doc").rglob("*.md"))}
 
 
 def check_names(texts):
