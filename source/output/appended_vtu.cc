@@ -21,6 +21,10 @@ namespace ElastoPlastic
     constexpr unsigned int block_size = 1 << 16; // bytes, before compression
     constexpr int          digits_of_offset = 16;
 
+    /// Points, connectivity, offsets, types: the arrays of a piece before its
+    /// fields.
+    constexpr unsigned int n_arrays_of_grid = 4;
+
     const AppendedVtu::Field point_field = {"", 3, ""};
 
 
@@ -128,7 +132,7 @@ namespace ElastoPlastic
                            const std::vector<Field>     &fields,
                            const std::vector<PieceSize> &sizes)
     : out(out)
-    , last_piece(4 + fields.size())
+    , last_piece(n_arrays_of_grid + fields.size())
   {
     out << begin_of_file("UnstructuredGrid");
     for (const auto &[n_points, n_cells] : sizes)
