@@ -7,7 +7,6 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_tools.h>
-#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -24,33 +23,6 @@
 namespace ElastoPlastic
 {
   using namespace dealii;
-
-  /// Calls body(cell, face_no) for all faces of @p cells on @p boundaries.
-  template <typename CellRange, typename Body>
-  void
-  for_each_contact_face(const CellRange                    &cells,
-                        const std::set<types::boundary_id> &boundaries,
-                        const Body                         &body)
-  {
-    for (const auto &cell : cells)
-      for (const unsigned int f : cell->face_indices())
-        if (cell->face(f)->at_boundary() &&
-            boundaries.count(cell->face(f)->boundary_id()) > 0)
-          body(cell, f);
-  }
-
-
-
-  /// The cells that this rank owns.
-  template <int dim>
-  auto
-  owned_cells(const DoFHandler<dim> &dof_handler)
-  {
-    return dof_handler.active_cell_iterators() |
-           IteratorFilters::LocallyOwnedCell();
-  }
-
-
 
   /// For each node of a face of the element FE_Q(p)^dim, the places of its
   /// components among the degrees of freedom of the face.

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/compatibility.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -41,15 +42,13 @@ namespace ElastoPlastic
   {
     double lowest  = std::numeric_limits<double>::max();
     double highest = std::numeric_limits<double>::lowest();
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
-            for (const unsigned int v : face->vertex_indices())
-              {
-                lowest  = std::min(lowest, face->vertex(v)[dim - 1]);
-                highest = std::max(highest, face->vertex(v)[dim - 1]);
-              }
+    for (const auto &[cell, f] : owned_faces(triangulation, boundaries))
+      for (const unsigned int v : cell->face(f)->vertex_indices())
+        {
+          const double height = cell->face(f)->vertex(v)[dim - 1];
+          lowest              = std::min(lowest, height);
+          highest             = std::max(highest, height);
+        }
     return {Utilities::MPI::min(lowest, communicator_of(triangulation)),
             Utilities::MPI::max(highest, communicator_of(triangulation))};
   }

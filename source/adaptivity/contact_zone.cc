@@ -17,6 +17,7 @@
 
 #include "adaptivity/contact_zone.h"
 #include "base/compatibility.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -99,41 +100,37 @@ namespace ElastoPlastic
     FEFaceValues<dim>                    places(fe,
                              fe.get_unit_face_support_points(),
                              update_quadrature_points);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        {
-          const auto face = cell->face(f);
-          if (!cell->is_locally_owned() || !face->at_boundary() ||
-              boundaries.count(face->boundary_id()) == 0)
-            continue;
-          face->get_dof_indices(dofs);
-          places.reinit(cell, f);
-          std::vector<types::global_dof_index> active;
-          bool                                 ends_here = false;
-          for (const auto &components : face_nodes)
-            {
-              const auto dof = dofs[components[dim - 1]];
-              if (hanging_nodes.is_constrained(dof))
+    for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+      {
+        const auto face = cell->face(f);
+        face->get_dof_indices(dofs);
+        places.reinit(cell, f);
+        std::vector<types::global_dof_index> active;
+        bool                                 ends_here = false;
+        for (const auto &components : face_nodes)
+          {
+            const auto dof = dofs[components[dim - 1]];
+            if (hanging_nodes.is_constrained(dof))
+              continue;
+            if (is_active(dof) == 0.)
+              {
+                ends_here = true;
                 continue;
-              if (is_active(dof) == 0.)
-                {
-                  ends_here = true;
-                  continue;
-                }
-              active.push_back(dof);
-              Node &node    = graph.nodes[dof];
-              node.position = places.quadrature_point(components[dim - 1]);
-              node.area += face->measure() / face_nodes.size();
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                if (fixed_dofs.is_element(dofs[components[d]]))
-                  node.held_axes |= 1U << d;
-            }
-          for (const auto dof : active)
-            {
-              graph.nodes[dof].is_at_edge |= ends_here;
-              graph.links.emplace_back(active.front(), dof);
-            }
-        }
+              }
+            active.push_back(dof);
+            Node &node    = graph.nodes[dof];
+            node.position = places.quadrature_point(components[dim - 1]);
+            node.area += face->measure() / face_nodes.size();
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              if (fixed_dofs.is_element(dofs[components[d]]))
+                node.held_axes |= 1U << d;
+          }
+        for (const auto dof : active)
+          {
+            graph.nodes[dof].is_at_edge |= ends_here;
+            graph.links.emplace_back(active.front(), dof);
+          }
+      }
     return graph;
   }
 

@@ -12,6 +12,7 @@
 #include "contact/contact_set.h"
 #include "loads/supports.h"
 #include "mesh/body_size.h"
+#include "mesh/boundary_faces.h"
 #include "mesh/mesh_entities.h"
 #include "problem/load_history.h"
 
@@ -221,24 +222,23 @@ namespace ElastoPlastic
     double sum = 0, nearest = std::numeric_limits<double>::max(),
            area_of_nearest = 0;
     unsigned int n         = 0;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
+    for (const auto &[cell, f] : owned_faces(triangulation, boundaries))
+      {
+        const auto         face = cell->face(f);
+        Tensor<1, dim - 1> offset;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          offset[d] = face->center()[d] - gap_function.position()[d];
+        if (offset.norm() <= radius)
           {
-            Tensor<1, dim - 1> offset;
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              offset[d] = face->center()[d] - gap_function.position()[d];
-            if (offset.norm() <= radius)
-              {
-                sum += face->measure();
-                ++n;
-              }
-            if (offset.norm() < nearest)
-              {
-                nearest         = offset.norm();
-                area_of_nearest = face->measure();
-              }
+            sum += face->measure();
+            ++n;
           }
+        if (offset.norm() < nearest)
+          {
+            nearest         = offset.norm();
+            area_of_nearest = face->measure();
+          }
+      }
     return std::pow(n > 0 ? sum / n : area_of_nearest, 1. / (dim - 1)) /
            std::pow(2., n_refinements_left_out);
   }

@@ -10,6 +10,7 @@
 #include "base/ghost_values.h"
 #include "contact/contact_faces.h"
 #include "contact/contact_nodes.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -71,10 +72,8 @@ namespace ElastoPlastic
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
 
     faces.clear();
-    for_each_contact_face(
-      owned_cells(dof_handler),
-      boundaries,
-      [&](const auto &cell, const auto f) {
+    for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+      {
         values.reinit(cell, f);
         cell->face(f)->get_dof_indices(dofs);
         for (unsigned int j = 0; j < (dim == 3 ? p : 1); ++j)
@@ -95,7 +94,7 @@ namespace ElastoPlastic
                 }
               faces.push_back(face);
             }
-      });
+      }
     find_areas();
   }
 

@@ -8,6 +8,7 @@
 
 #include "base/exceptions.h"
 #include "contact/contact_nodes.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -34,10 +35,8 @@ namespace ElastoPlastic
       dealii::Vector<double>               cell_areas(fe.n_dofs_per_cell());
       std::vector<types::global_dof_index> dof_indices(fe.n_dofs_per_cell());
 
-      for_each_contact_face(
-        owned_cells(dof_handler),
-        boundaries,
-        [&](const auto &cell, const auto f) {
+      for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+        {
           fe_face_values.reinit(cell, f);
           cell_areas = 0;
           for (unsigned int i = 0; i < fe.n_dofs_per_cell(); ++i)
@@ -52,7 +51,7 @@ namespace ElastoPlastic
           constraints.distribute_local_to_global(cell_areas,
                                                  dof_indices,
                                                  areas);
-        });
+        }
       areas.compress(VectorOperation::add);
     }
 
@@ -77,12 +76,8 @@ namespace ElastoPlastic
       std::map<types::global_dof_index, ContactNode<dim>> nodes;
       // A node's owner need not own one of its contact faces: look at ghosts
       // too.
-      const auto cells = filter_iterators(dof_handler.active_cell_iterators(),
-                                          [](const auto &cell) {
-                                            return !cell->is_artificial();
-                                          });
-      for_each_contact_face(
-        cells, boundaries, [&](const auto &cell, const auto f) {
+      for (const auto &[cell, f] : known_faces(dof_handler, boundaries))
+        {
           fe_face_values.reinit(cell, f);
           cell->face(f)->get_dof_indices(dof_indices);
           for (const auto &of_node : components)
@@ -98,7 +93,7 @@ namespace ElastoPlastic
               node.position = fe_face_values.quadrature_point(of_node[dim - 1]);
               node.gap      = gap(node.position);
             }
-        });
+        }
       return nodes;
     }
 

@@ -12,6 +12,7 @@
 #include "base/ghost_values.h"
 #include "contact/contact_nodes.h"
 #include "contact/face_filter.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -64,10 +65,8 @@ namespace ElastoPlastic
                              update_values | update_JxW_values |
                                update_quadrature_points);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-    for_each_contact_face(
-      owned_cells(dof_handler),
-      boundaries,
-      [&](const auto &cell, const auto f) {
+    for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+      {
         values.reinit(cell, f);
         cell->face(f)->get_dof_indices(dofs);
         Face face;
@@ -84,7 +83,7 @@ namespace ElastoPlastic
             face.areas.push_back(area);
           }
         faces.push_back(face);
-      });
+      }
   }
 
 

@@ -14,6 +14,7 @@
 #include "base/exceptions.h"
 #include "base/text.h"
 #include "evaluation/contact_surface.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -201,35 +202,30 @@ namespace ElastoPlastic
     const bool                     has_friction = fields.shear.size() > 0;
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
 
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              boundaries.count(cell->face(f)->boundary_id()) > 0)
-            {
-              values.reinit(cell, f);
-              cell->face(f)->get_dof_indices(dofs);
-              for (unsigned int i = 0; i < dofs.size(); ++i)
-                {
-                  const auto [component, node] =
-                    fe.face_system_to_component_index(i);
-                  auto &point = points[to_lexicographic[node]];
-                  point.displacement[component] = fields.displacement(dofs[i]);
-                  if (has_friction)
-                    point.shear[component] = fields.shear(dofs[i]);
-                  if (component == dim - 1)
-                    {
-                      point.position = values.quadrature_point(node);
-                      point.gap      = fields.gap(dofs[i]);
-                      point.pressure = fields.pressure(dofs[i]);
-                      point.active   = fields.active(dofs[i]);
-                      if (has_friction)
-                        point.stick = fields.stick(dofs[i]);
-                    }
-                }
-              for (const auto &[begin, end] : pairs)
-                sides.push_back({points[begin], points[end]});
-            }
+    for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+      {
+        values.reinit(cell, f);
+        cell->face(f)->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            const auto [component, node] = fe.face_system_to_component_index(i);
+            auto &point                  = points[to_lexicographic[node]];
+            point.displacement[component] = fields.displacement(dofs[i]);
+            if (has_friction)
+              point.shear[component] = fields.shear(dofs[i]);
+            if (component == dim - 1)
+              {
+                point.position = values.quadrature_point(node);
+                point.gap      = fields.gap(dofs[i]);
+                point.pressure = fields.pressure(dofs[i]);
+                point.active   = fields.active(dofs[i]);
+                if (has_friction)
+                  point.stick = fields.stick(dofs[i]);
+              }
+          }
+        for (const auto &[begin, end] : pairs)
+          sides.push_back({points[begin], points[end]});
+      }
   }
 
 

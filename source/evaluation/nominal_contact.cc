@@ -9,6 +9,8 @@
 #include "evaluation/nominal_contact.h"
 #include "evaluation/tip_on_curved_surface.h"
 #include "mesh/body_size.h"
+#include "mesh/boundary_faces.h"
+#include "mesh/disc.h"
 
 namespace ElastoPlastic
 {
@@ -44,20 +46,16 @@ namespace ElastoPlastic
     if (kinematics == Kinematics::axisymmetric)
       return 1.;
     double n_sides = 0;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() &&
-              contact_boundaries.count(face->boundary_id()) > 0)
-            {
-              const double a         = face->vertex(0)[0] - position[0];
-              const double b         = face->vertex(1)[0] - position[0];
-              const double tolerance = 1e-10 * std::abs(b - a);
-              if (std::min(a, b) < -tolerance && std::max(a, b) >= -tolerance)
-                n_sides += 1.;
-              if (std::min(a, b) <= tolerance && std::max(a, b) > tolerance)
-                n_sides += 1.;
-            }
+    for (const auto &[cell, f] : owned_faces(triangulation, contact_boundaries))
+      {
+        const double a         = cell->face(f)->vertex(0)[0] - position[0];
+        const double b         = cell->face(f)->vertex(1)[0] - position[0];
+        const double tolerance = 1e-10 * std::abs(b - a);
+        if (std::min(a, b) < -tolerance && std::max(a, b) >= -tolerance)
+          n_sides += 1.;
+        if (std::min(a, b) <= tolerance && std::max(a, b) > tolerance)
+          n_sides += 1.;
+      }
     return 0.5 * Utilities::MPI::sum(n_sides, communicator_of(triangulation));
   }
 
@@ -71,19 +69,14 @@ namespace ElastoPlastic
                 const Kinematics /* cartesian */)
   {
     double angle = 0;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() &&
-              contact_boundaries.count(face->boundary_id()) > 0)
-            {
-              std::array<Tensor<1, 2>, 4> corners;
-              for (const unsigned int v : face->vertex_indices())
-                corners[v] =
-                  Point<2>(face->vertex(v)[0], face->vertex(v)[1]) - position;
-              std::swap(corners[2], corners[3]); // around the face
-              angle += angle_of_view(corners);
-            }
+    for (const auto &[cell, f] : owned_faces(triangulation, contact_boundaries))
+      {
+        std::array<Tensor<1, 2>, 4> corners;
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          corners[v] = from_above(cell->face(f)->vertex(v)) - position;
+        std::swap(corners[2], corners[3]); // around the face
+        angle += angle_of_view(corners);
+      }
     return Utilities::MPI::sum(angle, communicator_of(triangulation)) /
            (2 * numbers::PI);
   }

@@ -10,6 +10,7 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "evaluation/tip_on_curved_surface.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -168,16 +169,13 @@ namespace ElastoPlastic
   void
   TipOnCurvedSurface<dim>::for_each_face(const Function &receive) const
   {
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
-            {
-              Patch patch;
-              for (const unsigned int v : face->vertex_indices())
-                patch[v] = face->vertex(v);
-              receive(patch);
-            }
+    for (const auto &[cell, f] : owned_faces(triangulation, boundaries))
+      {
+        Patch patch;
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          patch[v] = cell->face(f)->vertex(v);
+        receive(patch);
+      }
   }
 
 

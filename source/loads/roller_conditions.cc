@@ -9,6 +9,7 @@
 
 #include "base/compatibility.h"
 #include "loads/supports.h"
+#include "mesh/boundary_faces.h"
 
 namespace ElastoPlastic
 {
@@ -37,18 +38,14 @@ namespace ElastoPlastic
   {
     std::array<double, dim> largest_deviation;
     largest_deviation.fill(0.);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() &&
-              cell->face(f)->boundary_id() == boundary)
-            for (unsigned int d = 0; d < dim; ++d)
-              for (const unsigned int v : cell->face(f)->vertex_indices())
-                largest_deviation[d] =
-                  std::max(largest_deviation[d],
-                           std::abs(cell->face(f)->vertex(v)[d] -
-                                    cell->face(f)->vertex(0)[d]) /
-                             cell->face(f)->diameter());
+    for (const auto &[cell, f] : owned_faces(dof_handler, {boundary}))
+      for (unsigned int d = 0; d < dim; ++d)
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          largest_deviation[d] =
+            std::max(largest_deviation[d],
+                     std::abs(cell->face(f)->vertex(v)[d] -
+                              cell->face(f)->vertex(0)[d]) /
+                       cell->face(f)->diameter());
     for (unsigned int d = 0; d < dim; ++d)
       if (Utilities::MPI::max(largest_deviation[d],
                               communicator_of(dof_handler)) < 1e-10)
@@ -65,16 +62,13 @@ namespace ElastoPlastic
   {
     std::array<double, dim> largest;
     largest.fill(0.);
-    for (const auto &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && face->boundary_id() == boundary)
-            {
-              const Tensor<1, dim> normal = normal_to<dim>(face);
-              for (unsigned int d = 0; d < dim; ++d)
-                largest[d] =
-                  std::max(largest[d], std::abs(normal[d]) / normal.norm());
-            }
+    for (const auto &[cell, f] : owned_faces(dof_handler, {boundary}))
+      {
+        const Tensor<1, dim> normal = normal_to<dim>(cell->face(f));
+        for (unsigned int d = 0; d < dim; ++d)
+          largest[d] =
+            std::max(largest[d], std::abs(normal[d]) / normal.norm());
+      }
     ComponentMask components(dim, false);
     for (unsigned int d = 0; d < dim; ++d)
       components.set(d,

@@ -9,6 +9,7 @@
 #include "base/compatibility.h"
 #include "contact/contact_nodes.h"
 #include "evaluation/surface_fields.h"
+#include "mesh/boundary_faces.h"
 #include "output/body_output.h"
 #include "output/checked_write.h"
 #include "output/field_output.h"
@@ -60,26 +61,23 @@ namespace ElastoPlastic
 
       Patches<dim - 1, dim>                result(names);
       std::vector<types::global_dof_index> dofs(fe.n_dofs_per_face());
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() &&
-                boundaries.count(face->boundary_id()) > 0)
-              {
-                typename Patches<dim - 1, dim>::Patch patch;
-                for (const unsigned int v : face->vertex_indices())
-                  patch.vertices[v] = face->vertex(v);
-                patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
-                patch.n_subdivisions = fe.degree;
-                patch.data.reinit(result.n_components(), nodes.size());
-                face->get_dof_indices(dofs);
-                unsigned int row = 0;
-                for (const auto &[name, n_components, values] : fields)
-                  for (unsigned int c = dim - n_components; c < dim; ++c, ++row)
-                    for (unsigned int i = 0; i < nodes.size(); ++i)
-                      patch.data(row, i) = values(dofs[nodes[i][c]]);
-                result.add(std::move(patch));
-              }
+      for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+        {
+          const auto                            face = cell->face(f);
+          typename Patches<dim - 1, dim>::Patch patch;
+          for (const unsigned int v : face->vertex_indices())
+            patch.vertices[v] = face->vertex(v);
+          patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+          patch.n_subdivisions = fe.degree;
+          patch.data.reinit(result.n_components(), nodes.size());
+          face->get_dof_indices(dofs);
+          unsigned int row = 0;
+          for (const auto &[name, n_components, values] : fields)
+            for (unsigned int c = dim - n_components; c < dim; ++c, ++row)
+              for (unsigned int i = 0; i < nodes.size(); ++i)
+                patch.data(row, i) = values(dofs[nodes[i][c]]);
+          result.add(std::move(patch));
+        }
       return result;
     }
   } // namespace

@@ -11,6 +11,7 @@
 #include "base/compatibility.h"
 #include "base/exceptions.h"
 #include "mesh/body_size.h"
+#include "mesh/boundary_faces.h"
 #include "problem/problem_checks.h"
 
 namespace ElastoPlastic
@@ -40,17 +41,13 @@ namespace ElastoPlastic
                                              update_quadrature_points);
 
       std::vector<std::pair<types::boundary_id, Point<dim>>> result;
-      for (const auto &cell : dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (cell->face(f)->at_boundary() &&
-                boundaries.count(cell->face(f)->boundary_id()) > 0)
-              for (auto *const points : {&at_nodes, &at_quadrature_points})
-                {
-                  points->reinit(cell, f);
-                  for (const auto &point : points->get_quadrature_points())
-                    result.emplace_back(cell->face(f)->boundary_id(), point);
-                }
+      for (const auto &[cell, f] : owned_faces(dof_handler, boundaries))
+        for (auto *const points : {&at_nodes, &at_quadrature_points})
+          {
+            points->reinit(cell, f);
+            for (const auto &point : points->get_quadrature_points())
+              result.emplace_back(cell->face(f)->boundary_id(), point);
+          }
       return result;
     }
 

@@ -15,6 +15,7 @@
 #include "base/exceptions.h"
 #include "evaluation/nominal_contact.h"
 #include "mesh/body_size.h"
+#include "mesh/boundary_faces.h"
 #include "problem/load_history.h"
 #include "problem/problem_checks.h"
 
@@ -33,19 +34,17 @@ namespace ElastoPlastic
       const auto            rollers =
         model.boundary_conditions.ids(BoundaryConditionType::roller);
       std::array<unsigned int, dim - 1> found = {};
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && rollers.count(face->boundary_id()) > 0)
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                {
-                  const auto vertices = face->vertex_indices();
-                  found[d] += std::all_of(
-                    vertices.begin(), vertices.end(), [&](const auto v) {
-                      return std::abs(face->vertex(v)[d] - position[d]) <
-                             1e-10 * face->diameter();
-                    });
-                }
+      for (const auto &[cell, f] : owned_faces(triangulation, rollers))
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            const auto face     = cell->face(f);
+            const auto vertices = face->vertex_indices();
+            found[d] +=
+              std::all_of(vertices.begin(), vertices.end(), [&](const auto v) {
+                return std::abs(face->vertex(v)[d] - position[d]) <
+                       1e-10 * face->diameter();
+              });
+          }
       std::array<bool, dim - 1> result;
       for (unsigned int d = 0; d < dim - 1; ++d)
         result[d] =

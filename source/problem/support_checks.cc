@@ -13,6 +13,7 @@
 #include "base/exceptions.h"
 #include "loads/loaded_body.h"
 #include "mechanics/rigid_body_modes.h"
+#include "mesh/boundary_faces.h"
 #include "problem/problem_checks.h"
 
 namespace ElastoPlastic
@@ -83,13 +84,9 @@ namespace ElastoPlastic
       const auto boundaries =
         model.boundary_conditions.ids(BoundaryConditionType::contact);
       rethrow_collectively(communicator_of(dof_handler), [&]() {
-        for (const auto &cell : dof_handler.active_cell_iterators())
-          if (!cell->is_artificial())
-            for (const auto &face : cell->face_iterators())
-              if (face->at_boundary() &&
-                  boundaries.count(face->boundary_id()) > 0)
-                for (const auto v : face->vertex_indices())
-                  action(face, v);
+        for (const auto &[cell, f] : known_faces(dof_handler, boundaries))
+          for (const auto v : cell->face(f)->vertex_indices())
+            action(cell->face(f), v);
       });
     }
 

@@ -13,6 +13,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
+#include "mesh/boundary_faces.h"
 #include "mesh/material_ids.h"
 #include "problem/problem_checks.h"
 
@@ -99,36 +100,32 @@ namespace ElastoPlastic
                                update_normal_vectors |
                                  update_quadrature_points);
       std::vector<SymmetryPoint> result;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int f : cell->face_indices())
-            if (const auto face = cell->face(f);
-                face->at_boundary() && rollers.count(face->boundary_id()) > 0)
-              {
-                values.reinit(cell, f);
-                const Tensor<1, dim> normal   = values.normal_vector(0);
-                const auto           vertices = face->vertex_indices();
-                if (std::abs(normal[dim - 1]) > rounding ||
-                    !std::all_of(
-                      vertices.begin(), vertices.end(), [&](const auto v) {
-                        double distance = 0;
-                        for (unsigned int d = 0; d < dim - 1; ++d)
-                          distance += normal[d] * (face->vertex(v)[d] -
-                                                   model.indenter.position[d]);
-                        return std::abs(distance) < rounding * face->diameter();
-                      }))
-                  continue;
-                SymmetryPoint     &point       = result.emplace_back();
-                const unsigned int n_materials = model.materials.size();
-                if (n_materials > 1)
-                  check_material_id(*cell, n_materials);
-                point.material = n_materials > 1 ? cell->material_id() : 0;
-                for (unsigned int d = 0; d < dim; ++d)
-                  {
-                    point.place[d]  = values.quadrature_point(0)[d];
-                    point.normal[d] = normal[d];
-                  }
-              }
+      for (const auto &[cell, f] : owned_faces(triangulation, rollers))
+        {
+          values.reinit(cell, f);
+          const auto           face     = cell->face(f);
+          const Tensor<1, dim> normal   = values.normal_vector(0);
+          const auto           vertices = face->vertex_indices();
+          if (std::abs(normal[dim - 1]) > rounding ||
+              !std::all_of(vertices.begin(), vertices.end(), [&](const auto v) {
+                double distance = 0;
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  distance += normal[d] *
+                              (face->vertex(v)[d] - model.indenter.position[d]);
+                return std::abs(distance) < rounding * face->diameter();
+              }))
+            continue;
+          SymmetryPoint     &point       = result.emplace_back();
+          const unsigned int n_materials = model.materials.size();
+          if (n_materials > 1)
+            check_material_id(*cell, n_materials);
+          point.material = n_materials > 1 ? cell->material_id() : 0;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              point.place[d]  = values.quadrature_point(0)[d];
+              point.normal[d] = normal[d];
+            }
+        }
       return result;
     }
   } // namespace
