@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <cmath>
 #include <functional>
 
 #include "base/enum_names.h"
@@ -92,7 +93,12 @@ namespace ElastoPlastic
     /// How much larger the force on a node is than its vertical part, if
     /// pressures refer to areas of the undeformed surface.
     double
-    inclination(const ContactNode<dim> &node) const;
+    inclination(const ContactNode<dim> &node) const
+    {
+      return geometry == ContactGeometry::normal ?
+               std::sqrt(1. + node.gap.slope.norm_square()) :
+               1.;
+    }
 
   private:
     /// A node that has slid off the end of the indenter, or to where an

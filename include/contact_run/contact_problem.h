@@ -167,7 +167,10 @@ namespace ElastoPlastic
 
     /// Hanging nodes follow their masters.
     void
-    distribute(Vector &u) const;
+    distribute(Vector &u) const
+    {
+      supports.constraints().distribute(u);
+    }
 
     SolidOperator<dim>  &solid;
     const Supports<dim> &supports;

@@ -80,7 +80,10 @@ namespace ElastoPlastic
     /// in the same direction: the material is integrated by two-step backward
     /// differentiation. After keep_increments() only.
     void
-    go_on(const LastStep &last, const double duration);
+    go_on(const LastStep &last, const double duration)
+    {
+      solid_body.go_on(duration, last.duration);
+    }
 
     /// Goes on from @p last for this @p duration at the rates of that step,
     /// which are stretched with a contact that grows: the guess that

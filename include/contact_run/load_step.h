@@ -193,9 +193,17 @@ namespace ElastoPlastic
     std::optional<double>
     duration_at_last_pace() const;
 
-    /// Whether there are rates that it may be expected to go on with.
+    /// Whether there are rates that it may be expected to go on with. (Finite
+    /// strains need a guess as soon as there is one: a surface that moves alone
+    /// would crush the elements below. Otherwise, what has failed with a guess
+    /// is tried without, and a first step from nothing is no guess.)
     bool
-    has_rates() const;
+    has_rates() const
+    {
+      return model.strain_model.is_finite() ?
+               !is_first() :
+               time_steps.number() > 2 && !has_been_halved;
+    }
 
     /// Of the committed @p result, in what accurate steps allow.
     double

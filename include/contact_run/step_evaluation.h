@@ -33,7 +33,10 @@ namespace ElastoPlastic
     /// Every profile line must meet the contact surface. Collective.
     /// @throws InputError
     void
-    check_lines() const;
+    check_lines() const
+    {
+      imprint.check_lines(body.contact_surface());
+    }
 
     const NominalContact<dim> &
     nominal_contact() const

@@ -81,7 +81,12 @@ namespace ElastoPlastic
 
     /// (1 - nu^2) / E of the indenter; 0 if it is rigid.
     double
-    indenter_compliance() const;
+    indenter_compliance() const
+    {
+      return indenter_modulus > 0. ?
+               (1. - indenter_ratio * indenter_ratio) / indenter_modulus :
+               0.;
+    }
 
     void
     add_parameters(ParameterHandler &prm);

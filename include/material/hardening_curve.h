@@ -58,7 +58,10 @@ namespace ElastoPlastic
 
     /// Whether h has a finite limit for alpha to infinity.
     bool
-    is_bounded() const;
+    is_bounded() const
+    {
+      return power_law.exponent == 0.;
+    }
 
     /// Whether the slope never grows.
     bool

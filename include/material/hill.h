@@ -64,7 +64,10 @@ namespace ElastoPlastic
 
       /// Sets t >= 0, which is 0 at first.
       void
-      set_ratio(const double t);
+      set_ratio(const double t)
+      {
+        ratio = t;
+      }
 
       /// q(z)
       double

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -117,7 +118,11 @@ namespace ElastoPlastic
 
     /// Whether any material has this criterion.
     bool
-    has(const YieldCriterion criterion) const;
+    has(const YieldCriterion criterion) const
+    {
+      return std::find(criteria.begin(), criteria.end(), criterion) !=
+             criteria.end();
+    }
 
     /// Whether the criterion of a material is that of Mohr and Coulomb, or of
     /// Drucker and Prager.
@@ -126,7 +131,11 @@ namespace ElastoPlastic
 
     /// Whether that of any is.
     bool
-    has_soil() const;
+    has_soil() const
+    {
+      return has(YieldCriterion::mohr_coulomb) ||
+             has(YieldCriterion::drucker_prager);
+    }
 
     /// Of a material whose criterion is one of these.
     SoilStrength

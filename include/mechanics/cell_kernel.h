@@ -57,25 +57,43 @@ namespace ElastoPlastic
            const AffineConstraints<double> &constraints);
 
     void
-    initialize_vector(Vector &vector) const;
+    initialize_vector(Vector &vector) const
+    {
+      matrix_free.initialize_dof_vector(vector);
+    }
 
     /// The number of the mesh's active cells, those of other ranks included.
     unsigned int
-    n_active_cells() const;
+    n_active_cells() const
+    {
+      return matrix_free.get_dof_handler().get_triangulation().n_active_cells();
+    }
 
     unsigned int
-    n_batches() const;
+    n_batches() const
+    {
+      return matrix_free.n_cell_batches();
+    }
 
     /// The number of cells in a batch.
     unsigned int
-    n_cells(const unsigned int batch) const;
+    n_cells(const unsigned int batch) const
+    {
+      return matrix_free.n_active_entries_per_cell_batch(batch);
+    }
 
     CellIterator
-    cell(const unsigned int batch, const unsigned int lane) const;
+    cell(const unsigned int batch, const unsigned int lane) const
+    {
+      return matrix_free.get_cell_iterator(batch, lane);
+    }
 
     /// The local indices of the eliminated unknowns.
     const std::vector<unsigned int> &
-    eliminated_entries() const;
+    eliminated_entries() const
+    {
+      return matrix_free.get_constrained_dofs();
+    }
 
     /// The product of the tangent with @p increment.
     virtual void

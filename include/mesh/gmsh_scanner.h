@@ -17,7 +17,10 @@ namespace ElastoPlastic
     explicit GmshScanner(const std::string &file_name);
 
     bool
-    at_end() const;
+    at_end() const
+    {
+      return position == text.size();
+    }
 
     /// The next word; a text in double quotes is one word, without the quotes.
     std::string

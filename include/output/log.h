@@ -65,7 +65,10 @@ namespace ElastoPlastic
 
     /// A remark that only the full output shows.
     void
-    remark(const std::string &text);
+    remark(const std::string &text)
+    {
+      full << text << std::endl;
+    }
 
     /// A row of the table that is all that the summary shows; the first one
     /// stands below the names of the columns.
@@ -75,7 +78,10 @@ namespace ElastoPlastic
     /// Something unexpected that does not stop the program: one line on
     /// standard error, however quiet the program is to be.
     void
-    warn(const std::string &text);
+    warn(const std::string &text)
+    {
+      warnings << "Warning: " << text << std::endl;
+    }
 
     /// The same, unless that has been said.
     void

@@ -83,7 +83,10 @@ namespace ElastoPlastic
     write_to_disk();
 
     void
-    add_solve(const SolveResult &result);
+    add_solve(const SolveResult &result)
+    {
+      statistics.add(result);
+    }
 
     void
     add_step(const StepResult &result);

@@ -4,6 +4,7 @@
 #ifndef solver_reduced_unknowns_h
 #define solver_reduced_unknowns_h
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <vector>
@@ -58,7 +59,10 @@ namespace ElastoPlastic
 
     /// Whether there are coupled unknowns, on any rank.
     bool
-    has_coupling() const;
+    has_coupling() const
+    {
+      return leading_rank < Utilities::MPI::n_mpi_processes(communicator);
+    }
 
     /// Whether the same unknowns are constrained, coupled and entering as in
     /// @p other, wherever their bounds are. Collective.
@@ -165,7 +169,10 @@ namespace ElastoPlastic
     entering_values(const Vector &vector) const;
 
     bool
-    owns_leader() const;
+    owns_leader() const
+    {
+      return leading_rank == Utilities::MPI::this_mpi_process(communicator);
+    }
 
     std::vector<unsigned int> constrained, coupled;
     SharedForces              shared;

@@ -62,17 +62,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  double
-  ContactBounds<dim>::inclination(const ContactNode<dim> &node) const
-  {
-    return geometry == ContactGeometry::normal ?
-             std::sqrt(1. + node.gap.slope.norm_square()) :
-             1.;
-  }
-
-
-
   template class ContactBounds<2>;
   template class ContactBounds<3>;
 } // namespace ElastoPlastic

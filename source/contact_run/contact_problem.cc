@@ -336,15 +336,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  void
-  ContactProblem<dim>::distribute(Vector &u) const
-  {
-    supports.constraints().distribute(u);
-  }
-
-
-
   template class ContactProblem<2>;
   template class ContactProblem<3>;
 } // namespace ElastoPlastic

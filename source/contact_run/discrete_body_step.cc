@@ -21,15 +21,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  void
-  DiscreteBody<dim>::go_on(const LastStep &last, const double duration)
-  {
-    solid_body.go_on(duration, last.duration);
-  }
-
-
-
   // The heart of the program is the primal-dual active set loop. It lives in
   // SemismoothNewton, which treats contact and plasticity as one nonlinear
   // problem; ContactProblem tells it about energy, forces, tangent and active

@@ -82,20 +82,6 @@ namespace ElastoPlastic
 
 
 
-  // Finite strains need a guess as soon as there is one: a surface that moves
-  // alone would crush the elements below. Otherwise, what has failed with a
-  // guess is tried without, and a first step from nothing is no guess.
-  template <int dim>
-  bool
-  LoadStep<dim>::has_rates() const
-  {
-    return model.strain_model.is_finite() ?
-             !is_first() :
-             time_steps.number() > 2 && !has_been_halved;
-  }
-
-
-
   // (A single step is no beginning of another.)
   template <int dim>
   void

@@ -62,15 +62,6 @@ namespace ElastoPlastic
 
 
   template <int dim>
-  void
-  StepEvaluation<dim>::check_lines() const
-  {
-    imprint.check_lines(body.contact_surface());
-  }
-
-
-
-  template <int dim>
   RunTables::Names
   StepEvaluation<dim>::names() const
   {

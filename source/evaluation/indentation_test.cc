@@ -83,16 +83,6 @@ namespace ElastoPlastic
 
 
   double
-  EvaluationParameters::indenter_compliance() const
-  {
-    return indenter_modulus > 0. ?
-             (1. - indenter_ratio * indenter_ratio) / indenter_modulus :
-             0.;
-  }
-
-
-
-  double
   UnloadingResult::reduced_modulus(const double area) const
   {
     if (!(area > 0))

@@ -116,14 +116,6 @@ namespace ElastoPlastic
 
 
 
-  void
-  HillCriterion::Relaxation::set_ratio(const double t)
-  {
-    ratio = t;
-  }
-
-
-
   double
   HillCriterion::Relaxation::equivalent_stress() const
   {

@@ -236,29 +236,11 @@ namespace ElastoPlastic
 
 
   bool
-  YieldCriterionParameters::has(const YieldCriterion criterion) const
-  {
-    return std::find(criteria.begin(), criteria.end(), criterion) !=
-           criteria.end();
-  }
-
-
-
-  bool
   YieldCriterionParameters::is_soil(const unsigned int id) const
   {
     const YieldCriterion criterion = of_material(criteria, id);
     return criterion == YieldCriterion::mohr_coulomb ||
            criterion == YieldCriterion::drucker_prager;
-  }
-
-
-
-  bool
-  YieldCriterionParameters::has_soil() const
-  {
-    return has(YieldCriterion::mohr_coulomb) ||
-           has(YieldCriterion::drucker_prager);
   }
 
 

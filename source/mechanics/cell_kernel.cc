@@ -45,61 +45,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim, typename Tangents>
-  void
-  CellKernel<dim, Tangents>::initialize_vector(Vector &vector) const
-  {
-    matrix_free.initialize_dof_vector(vector);
-  }
-
-
-
-  template <int dim, typename Tangents>
-  unsigned int
-  CellKernel<dim, Tangents>::n_active_cells() const
-  {
-    return matrix_free.get_dof_handler().get_triangulation().n_active_cells();
-  }
-
-
-
-  template <int dim, typename Tangents>
-  unsigned int
-  CellKernel<dim, Tangents>::n_batches() const
-  {
-    return matrix_free.n_cell_batches();
-  }
-
-
-
-  template <int dim, typename Tangents>
-  unsigned int
-  CellKernel<dim, Tangents>::n_cells(const unsigned int batch) const
-  {
-    return matrix_free.n_active_entries_per_cell_batch(batch);
-  }
-
-
-
-  template <int dim, typename Tangents>
-  typename CellKernel<dim, Tangents>::CellIterator
-  CellKernel<dim, Tangents>::cell(const unsigned int batch,
-                                  const unsigned int lane) const
-  {
-    return matrix_free.get_cell_iterator(batch, lane);
-  }
-
-
-
-  template <int dim, typename Tangents>
-  const std::vector<unsigned int> &
-  CellKernel<dim, Tangents>::eliminated_entries() const
-  {
-    return matrix_free.get_constrained_dofs();
-  }
-
-
-
   // (With the weight itself, as in FEEvaluation::distribute_local_to_global(),
   // the weights of skew rollers, which may be negative, could make the sum
   // vanish.)

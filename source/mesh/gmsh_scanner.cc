@@ -73,14 +73,6 @@ namespace ElastoPlastic
 
 
 
-  bool
-  GmshScanner::at_end() const
-  {
-    return position == text.size();
-  }
-
-
-
   std::string
   GmshScanner::word()
   {

@@ -137,14 +137,6 @@ namespace ElastoPlastic
 
 
   void
-  Log::remark(const std::string &text)
-  {
-    full << text << std::endl;
-  }
-
-
-
-  void
   Log::table_row(const std::string &names, const std::string &row)
   {
     if (!table_has_begun)
@@ -160,13 +152,5 @@ namespace ElastoPlastic
   {
     if (said.insert(text).second)
       warn(text);
-  }
-
-
-
-  void
-  Log::warn(const std::string &text)
-  {
-    warnings << "Warning: " << text << std::endl;
   }
 } // namespace ElastoPlastic

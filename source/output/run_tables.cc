@@ -138,14 +138,6 @@ namespace ElastoPlastic
 
 
   void
-  RunTables::add_solve(const SolveResult &result)
-  {
-    statistics.add(result);
-  }
-
-
-
-  void
   RunTables::add_step(const StepResult &result)
   {
     history.add(result.solve);

@@ -62,14 +62,6 @@ namespace ElastoPlastic
 
 
   bool
-  ReducedUnknowns::has_coupling() const
-  {
-    return leading_rank < Utilities::MPI::n_mpi_processes(communicator);
-  }
-
-
-
-  bool
   ReducedUnknowns::are_held_as_in(const ReducedUnknowns &other) const
   {
     const bool differ = constrained != other.constrained ||
@@ -84,14 +76,6 @@ namespace ElastoPlastic
                                       return a.index == b.index;
                                     });
     return !Utilities::MPI::logical_or(differ, communicator);
-  }
-
-
-
-  bool
-  ReducedUnknowns::owns_leader() const
-  {
-    return leading_rank == Utilities::MPI::this_mpi_process(communicator);
   }
 
 
