@@ -12,15 +12,15 @@ namespace ElastoPlastic
 
 
 
-    void
-    add(Effects           &effects,
-        const std::string &section,
-        const Names       &entries,
-        const Reason      &reason)
+    /// What adds some of a section's entries.
+    auto
+    entries_of(const std::string &section, Effects &effects)
     {
-      for (const std::string &entry : entries)
-        effects.emplace(section.empty() ? entry : section + "/" + entry,
-                        reason);
+      return [prefix = section.empty() ? "" : section + "/",
+              &effects](const Names &entries, const Reason &reason) {
+        for (const std::string &entry : entries)
+          effects.emplace(prefix + entry, reason);
+      };
     }
 
 
@@ -36,54 +36,40 @@ namespace ElastoPlastic
     void
     add_body(Effects &effects)
     {
+      const auto general  = entries_of("", effects);
+      const auto geometry = entries_of("Geometry", effects);
+      const auto boundary_conditions =
+        entries_of("Boundary conditions", effects);
       const Reason of_box = with("Geometry/Type", {"box"});
-      add(effects,
-          "",
-          {"Dimension", "Analysis", "Body force", "Strain"},
-          always());
-      add(effects, "", {"Kinematics"}, of_section);
-      add(effects, "Geometry", {"Type", "Initial refinements"}, always());
-      add(effects, "Geometry", {"Local refinements", "Material id"}, always());
-      add(effects, "Geometry", {"Boundary parts"}, always());
-      add(effects,
-          "Geometry",
-          {"Lower corner",
-           "Upper corner",
-           "Repetitions",
-           "Grading",
-           "Grading centre"},
-          of_box);
-      add(effects, "Geometry", {"Circle radius"}, all({of_box, of_space}));
-      add(effects,
-          "Geometry",
-          {"Circle centre"},
-          all({of_box, of_space, with_nonzero("Geometry/Circle radius")}));
-      add(effects,
-          "Geometry",
-          {"Radius"},
-          with("Geometry/Type", {"half ball", "sector"}));
-      add(effects, "Geometry", {"Part"}, with("Geometry/Type", {"half ball"}));
-      add(effects,
-          "Geometry",
-          {"Sector angle", "Height", "Core radius"},
-          with("Geometry/Type", {"sector"}));
-      add(effects,
-          "Geometry",
-          {"File", "Material groups", "Curves"},
-          with("Geometry/Type", {"file"}));
-      add(effects,
-          "Geometry",
-          {"Local radius", "Local centre"},
-          with_nonzero("Geometry/Local refinements"));
-      add(effects,
-          "Boundary conditions",
-          {"Fixed",
-           "Roller",
-           "Free",
-           "Contact",
-           "Prescribed displacement",
-           "Traction"},
-          always());
+      general({"Dimension", "Analysis", "Body force", "Strain"}, always());
+      general({"Kinematics"}, of_section);
+      geometry({"Type", "Initial refinements"}, always());
+      geometry({"Local refinements", "Material id"}, always());
+      geometry({"Boundary parts"}, always());
+      geometry({"Lower corner",
+                "Upper corner",
+                "Repetitions",
+                "Grading",
+                "Grading centre"},
+               of_box);
+      geometry({"Circle radius"}, all({of_box, of_space}));
+      geometry({"Circle centre"},
+               all({of_box, of_space, with_nonzero("Geometry/Circle radius")}));
+      geometry({"Radius"}, with("Geometry/Type", {"half ball", "sector"}));
+      geometry({"Part"}, with("Geometry/Type", {"half ball"}));
+      geometry({"Sector angle", "Height", "Core radius"},
+               with("Geometry/Type", {"sector"}));
+      geometry({"File", "Material groups", "Curves"},
+               with("Geometry/Type", {"file"}));
+      geometry({"Local radius", "Local centre"},
+               with_nonzero("Geometry/Local refinements"));
+      boundary_conditions({"Fixed",
+                           "Roller",
+                           "Free",
+                           "Contact",
+                           "Prescribed displacement",
+                           "Traction"},
+                          always());
     }
 
 
@@ -91,71 +77,52 @@ namespace ElastoPlastic
     void
     add_material(Effects &effects)
     {
+      const auto   material       = entries_of("Material", effects);
+      const auto   initial_stress = entries_of("Initial stress", effects);
       const Reason nonlinear = with("Material/Law", {"nonlinear hardening"});
-      add(effects,
-          "Material",
-          {"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
-          always());
-      add(effects, "Material", {"Yield criterion"}, always());
-      add(effects,
-          "Initial stress",
-          {"Stress xx", "Stress yy", "Stress zz", "Stress xy"},
-          always());
-      add(effects, "Initial stress", {"Stress xz", "Stress yz"}, of_space);
+      material({"Law", "Young's modulus", "Poisson's ratio", "Rate law"},
+               always());
+      material({"Yield criterion"}, always());
+      initial_stress({"Stress xx", "Stress yy", "Stress zz", "Stress xy"},
+                     always());
+      initial_stress({"Stress xz", "Stress yz"}, of_space);
       const auto obeys = [](const Names &criteria) {
         return with("Material/Yield criterion", criteria);
       };
-      add(effects,
-          "Material",
-          {"Yield stress"},
-          all({without("Material/Law", "linear elastic"),
-               obeys({"von Mises", "Hosford", "Hill"})}));
-      add(effects, "Material", {"Hosford exponent"}, obeys({"Hosford"}));
-      add(effects, "Material", {"Hill ratios", "Axes"}, obeys({"Hill"}));
+      material({"Yield stress"},
+               all({without("Material/Law", "linear elastic"),
+                    obeys({"von Mises", "Hosford", "Hill"})}));
+      material({"Hosford exponent"}, obeys({"Hosford"}));
+      material({"Hill ratios", "Axes"}, obeys({"Hill"}));
       const Names soil = {"Mohr-Coulomb", "Drucker-Prager"};
-      add(effects, "Material", {"Cohesion", "Friction angle"}, obeys(soil));
-      add(effects,
-          "Material",
-          {"Isotropic hardening modulus"},
-          with("Material/Law",
-               {"isotropic hardening",
-                "combined hardening",
-                "nonlinear hardening"}));
-      add(effects,
-          "Material",
-          {"Kinematic hardening modulus"},
-          with("Material/Law", {"kinematic hardening", "combined hardening"}));
-      add(effects,
-          "Material",
-          {"Voce stress",
-           "Power law exponent",
-           "Hardening table",
-           "Back stress moduli"},
-          nonlinear);
-      add(effects,
-          "Material",
-          {"Voce rate"},
-          all({nonlinear, with_nonzero("Material/Voce stress")}));
-      add(effects,
-          "Material",
-          {"Power law reference strain"},
-          all({nonlinear, with_nonzero("Material/Power law exponent")}));
-      add(effects,
-          "Material",
-          {"Recovery rates"},
-          all({nonlinear, without("Material/Back stress moduli", "none")}));
-      add(effects,
-          "Material",
-          {"Rate exponent", "Reference rate"},
-          with("Material/Rate law", {"Perzyna", "Norton", "Cowper-Symonds"}));
-      add(effects,
-          "Material",
-          {"Rate stress"},
-          with("Material/Rate law", {"Perzyna", "Norton"}));
-      add(effects,
-          "Material",
-          {"Relaxation time"},
-          with("Material/Rate law", {"Duvaut-Lions"}));
+      material({"Cohesion", "Friction angle"}, obeys(soil));
+      material({"Isotropic hardening modulus"},
+               with("Material/Law",
+                    {"isotropic hardening",
+                     "combined hardening",
+                     "nonlinear hardening"}));
+      material({"Kinematic hardening modulus"},
+               with("Material/Law",
+                    {"kinematic hardening", "combined hardening"}));
+      material({"Voce stress",
+                "Power law exponent",
+                "Hardening table",
+                "Back stress moduli"},
+               nonlinear);
+      material({"Voce rate"},
+               all({nonlinear, with_nonzero("Material/Voce stress")}));
+      material({"Power law reference strain"},
+               all({nonlinear, with_nonzero("Material/Power law exponent")}));
+      material({"Recovery rates"},
+               all(
+                 {nonlinear, without("Material/Back stress moduli", "none")}));
+      material({"Rate exponent", "Reference rate"},
+               with("Material/Rate law",
+                    {"Perzyna", "Norton", "Cowper-Symonds"}));
+      material({"Rate stress"},
+               with("Material/Rate law", {"Perzyna", "Norton"}));
+      material({"Relaxation time"},
+               with("Material/Rate law", {"Duvaut-Lions"}));
     }
 
 
@@ -163,65 +130,38 @@ namespace ElastoPlastic
     void
     add_indenter(Effects &effects)
     {
-      const auto of_type = [](const Names &types) {
+      const auto indenter = entries_of("Indenter", effects);
+      const auto contact  = entries_of("Contact", effects);
+      const auto of_type  = [](const Names &types) {
         return with("Indenter/Type", types);
       };
       const Names with_heights = {"image", "height matrix"};
-      add(effects, "Indenter", {"Type"}, always());
-      add(effects,
-          "Indenter",
-          {"Radius"},
-          of_type({"sphere",
-                   "paraboloid",
-                   "cylinder",
-                   "circular punch",
-                   "spheroconical tip"}));
-      add(effects,
-          "Indenter",
-          {"Semi-apex angle"},
-          of_type({"cone", "wedge", "spheroconical tip"}));
-      add(effects,
-          "Indenter",
-          {"Half width"},
-          of_type({"strip punch", "rectangular punch"}));
-      add(effects,
-          "Indenter",
-          {"Area coefficients"},
-          of_type({"area function"}));
-      add(effects, "Indenter", {"Expression"}, of_type({"expression"}));
-      add(effects,
-          "Indenter",
-          {"Number of faces",
-           "Face angle",
-           "Rotation",
-           "Rounding radius",
-           "Truncation"},
-          of_type({"pyramid"}));
-      add(effects,
-          "Indenter",
-          {"File"},
-          of_type({"image", "height matrix", "STL surface"}));
-      add(effects,
-          "Indenter",
-          {"Size", "Height scale", "Side down"},
-          of_type(with_heights));
-      add(effects, "Indenter", {"Length scale"}, of_type({"STL surface"}));
-      add(effects,
-          "Indenter",
-          {"Position", "Initial gap", "Reach"},
-          with_indenter);
-      add(effects,
-          "Indenter",
-          {"Surface"},
-          all({with_indenter, with("Analysis", {"limit load"})}));
-      add(effects,
-          "Contact",
-          {"Edge"},
-          all({of_contact, with_several_steps()}));
-      add(effects,
-          "Contact",
-          {"Geometry", "Friction coefficient"},
-          with_indenter);
+      indenter({"Type"}, always());
+      indenter({"Radius"},
+               of_type({"sphere",
+                        "paraboloid",
+                        "cylinder",
+                        "circular punch",
+                        "spheroconical tip"}));
+      indenter({"Semi-apex angle"},
+               of_type({"cone", "wedge", "spheroconical tip"}));
+      indenter({"Half width"}, of_type({"strip punch", "rectangular punch"}));
+      indenter({"Area coefficients"}, of_type({"area function"}));
+      indenter({"Expression"}, of_type({"expression"}));
+      indenter({"Number of faces",
+                "Face angle",
+                "Rotation",
+                "Rounding radius",
+                "Truncation"},
+               of_type({"pyramid"}));
+      indenter({"File"}, of_type({"image", "height matrix", "STL surface"}));
+      indenter({"Size", "Height scale", "Side down"}, of_type(with_heights));
+      indenter({"Length scale"}, of_type({"STL surface"}));
+      indenter({"Position", "Initial gap", "Reach"}, with_indenter);
+      indenter({"Surface"},
+               all({with_indenter, with("Analysis", {"limit load"})}));
+      contact({"Edge"}, all({of_contact, with_several_steps()}));
+      contact({"Geometry", "Friction coefficient"}, with_indenter);
     }
 
 
@@ -229,36 +169,22 @@ namespace ElastoPlastic
     void
     add_loading(Effects &effects)
     {
+      const auto   loading    = entries_of("Loading", effects);
+      const auto   limit_load = entries_of("Limit load", effects);
       const Reason driven =
         all({no_limit_load, with_indenter, without_history()});
-      add(effects, "Loading", {"Control"}, driven);
-      add(effects,
-          "Loading",
-          {"Depth"},
-          all({driven, with("Loading/Control", {"depth"})}));
-      add(effects,
-          "Loading",
-          {"Force"},
-          all({driven, with("Loading/Control", {"force"})}));
-      add(effects, "Loading", {"History", "Path"}, of_contact);
-      add(effects,
-          "Loading",
-          {"Final time"},
-          all({no_limit_load, without_history()}));
-      add(effects, "Loading", {"Number of steps"}, no_limit_load);
-      add(effects,
-          "Loading",
-          {"Step control", "Integration", "Maximum number of cuts"},
-          all({no_limit_load, with_several_steps()}));
-      add(effects,
-          "Loading",
-          {"Step tolerance"},
-          with("Loading/Step control", {"accurate"}));
-      add(effects, "Limit load", {"Load"}, with("Analysis", {"limit load"}));
-      add(effects,
-          "Limit load",
-          {"Stresses"},
-          with("Analysis", {"limit load", "contact with error bound"}));
+      loading({"Control"}, driven);
+      loading({"Depth"}, all({driven, with("Loading/Control", {"depth"})}));
+      loading({"Force"}, all({driven, with("Loading/Control", {"force"})}));
+      loading({"History", "Path"}, of_contact);
+      loading({"Final time"}, all({no_limit_load, without_history()}));
+      loading({"Number of steps"}, no_limit_load);
+      loading({"Step control", "Integration", "Maximum number of cuts"},
+              all({no_limit_load, with_several_steps()}));
+      loading({"Step tolerance"}, with("Loading/Step control", {"accurate"}));
+      limit_load({"Load"}, with("Analysis", {"limit load"}));
+      limit_load({"Stresses"},
+                 with("Analysis", {"limit load", "contact with error bound"}));
     }
 
 
@@ -266,42 +192,31 @@ namespace ElastoPlastic
     void
     add_discretization(Effects &effects)
     {
-      const Reason refining = without("Refinement/Strategy", "none");
+      const auto   discretization   = entries_of("Discretization", effects);
+      const auto   refinement       = entries_of("Refinement", effects);
+      const auto   nonlinear_solver = entries_of("Nonlinear solver", effects);
+      const auto   linear_solver    = entries_of("Linear solver", effects);
+      const Reason refining         = without("Refinement/Strategy", "none");
       const Reason marking = with("Refinement/Strategy", {"adaptive", "Kelly"});
-      add(effects,
-          "Discretization",
-          {"Polynomial degree", "Volumetric treatment"},
-          no_limit_load);
-      add(effects,
-          "Refinement",
-          {"Strategy", "Maximum number of unknowns"},
-          always());
-      add(effects,
-          "Refinement",
-          {"Goal"},
-          all({with("Analysis", {"contact with error bound"}),
-               with("Refinement/Strategy", {"adaptive"})}));
-      add(effects, "Refinement", {"Number of cycles"}, refining);
-      add(effects,
-          "Refinement",
-          {"Refinement fraction", "Coarsening fraction"},
-          marking);
-      add(effects,
-          "Refinement",
-          {"Steps between adaptations"},
-          all({marking, with_several_steps()}));
-      add(effects, "Refinement", {"Elements over contact radius"}, of_contact);
-      add(effects,
-          "Nonlinear solver",
-          {"Tolerance",
-           "Maximum number of iterations",
-           "Loosest linear reduction"},
-          no_limit_load);
-      add(effects, "Linear solver", {"Type"}, no_limit_load);
-      add(effects,
-          "Linear solver",
-          {"Maximum number of iterations"},
-          all({no_limit_load, without("Linear solver/Type", "direct")}));
+      discretization({"Polynomial degree", "Volumetric treatment"},
+                     no_limit_load);
+      refinement({"Strategy", "Maximum number of unknowns"}, always());
+      refinement({"Goal"},
+                 all({with("Analysis", {"contact with error bound"}),
+                      with("Refinement/Strategy", {"adaptive"})}));
+      refinement({"Number of cycles"}, refining);
+      refinement({"Refinement fraction", "Coarsening fraction"}, marking);
+      refinement({"Steps between adaptations"},
+                 all({marking, with_several_steps()}));
+      refinement({"Elements over contact radius"}, of_contact);
+      nonlinear_solver({"Tolerance",
+                        "Maximum number of iterations",
+                        "Loosest linear reduction"},
+                       no_limit_load);
+      linear_solver({"Type"}, no_limit_load);
+      linear_solver({"Maximum number of iterations"},
+                    all({no_limit_load,
+                         without("Linear solver/Type", "direct")}));
     }
 
 
@@ -309,42 +224,29 @@ namespace ElastoPlastic
     void
     add_results(Effects &effects)
     {
-      const Reason profile = without("Output/Surface profile", "none");
-      add(effects,
-          "Evaluation",
-          {"Beta",
-           "Epsilon",
-           "Young's modulus of the indenter",
-           "Continuous stiffness"},
-          all({of_contact, with_several_steps()}));
-      add(effects,
-          "Evaluation",
-          {"Poisson's ratio of the indenter"},
-          all({of_contact,
-               with_several_steps(),
-               with_nonzero("Evaluation/Young's modulus of the indenter")}));
-      add(effects,
-          "Output",
-          {"Directory", "Fields", "Length unit", "Force unit", "Screen"},
-          always());
-      add(effects,
-          "Output",
-          {"Field times"},
-          with("Output/Fields", {"at times"}));
-      add(effects,
-          "Output",
-          {"Additional fields"},
-          all({no_limit_load, without("Output/Fields", "never")}));
-      add(effects,
-          "Output",
-          {"Minutes between checkpoints"},
-          all({no_limit_load, with_several_steps()}));
-      add(effects, "Output", {"Surface profile"}, of_contact);
-      add(effects,
-          "Output",
-          {"Profile lines"},
-          all({of_contact, of_space, profile}));
-      add(effects, "Output", {"Probe points"}, no_limit_load);
+      const auto   evaluation = entries_of("Evaluation", effects);
+      const auto   output     = entries_of("Output", effects);
+      const Reason profile    = without("Output/Surface profile", "none");
+      evaluation({"Beta",
+                  "Epsilon",
+                  "Young's modulus of the indenter",
+                  "Continuous stiffness"},
+                 all({of_contact, with_several_steps()}));
+      evaluation({"Poisson's ratio of the indenter"},
+                 all({of_contact,
+                      with_several_steps(),
+                      with_nonzero(
+                        "Evaluation/Young's modulus of the indenter")}));
+      output({"Directory", "Fields", "Length unit", "Force unit", "Screen"},
+             always());
+      output({"Field times"}, with("Output/Fields", {"at times"}));
+      output({"Additional fields"},
+             all({no_limit_load, without("Output/Fields", "never")}));
+      output({"Minutes between checkpoints"},
+             all({no_limit_load, with_several_steps()}));
+      output({"Surface profile"}, of_contact);
+      output({"Profile lines"}, all({of_contact, of_space, profile}));
+      output({"Probe points"}, no_limit_load);
     }
 
 
