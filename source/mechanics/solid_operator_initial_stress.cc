@@ -61,52 +61,54 @@ namespace ElastoPlastic
 
 
 
-    /// The point where the initial stress exceeds the yield stress most.
+    /// @throws InputError if the stress of @p initial_strains exceeds the yield
+    /// stress: it says where it does most, and calls the stress @p completed.
     template <int dim>
-    class Excess
+    void
+    check_stress(const InitialStrains                      &initial_strains,
+                 const BatchMaterials                      &materials,
+                 const CellKernel<dim, PointTangents<dim>> &kernel,
+                 const unsigned int                         n_points,
+                 const std::string                         &completed)
     {
-    public:
-      void
-      look_at(const Point<dim>            &point,
-              const SymmetricTensor<2, 3> &stress,
-              const Material<double>      &material)
-      {
-        constexpr double rounding = 1e-9;
-        const double     value    = equivalent_stress(material, stress);
-        const double     limit    = std::sqrt(1.5) * material.yield_radius;
-        if (!is_rate_dependent(material) &&
-            value > (1. + rounding) * largest_ratio * limit)
-          {
-            largest_ratio = value / limit;
-            place         = point;
-            equivalent    = value;
-            yield_stress  = limit;
-          }
-      }
-
-      /// @throws InputError if there is one, which calls the stress
-      /// @p completed.
-      void
-      check(const std::string &completed) const
-      {
-        if (largest_ratio == 1.)
-          return;
-        std::ostringstream where;
-        where << place;
-        throw InputError(
-          "The 'Initial stress'" + completed +
-          " is beyond the yield stress: at (" + where.str() +
-          ") the equivalent stress is " + to_text(equivalent) +
-          ", and 'Material/Yield stress' is " + to_text(yield_stress) +
-          ". No body could bear it. Make it smaller, or raise the yield "
-          "stress to that of the hardened material.");
-      }
-
-    private:
-      double     largest_ratio = 1.;
-      double     equivalent = 0., yield_stress = 0.;
-      Point<dim> place;
-    };
+      constexpr double rounding      = 1e-9;
+      double           largest_ratio = 1., equivalent = 0., yield_stress = 0.;
+      Point<dim>       place;
+      for_each_quadrature_point<dim>(
+        kernel,
+        n_points,
+        [&](const unsigned int batch,
+            const unsigned int lane,
+            const unsigned int q,
+            const Point<dim>  &point) {
+          const Material<double> material =
+            lane_of(materials.at(batch, q), lane);
+          const double value = equivalent_stress(
+            material,
+            elastic_stress(material,
+                           lane_of(initial_strains.at(batch, q), lane)));
+          const double limit = std::sqrt(1.5) * material.yield_radius;
+          if (!is_rate_dependent(material) &&
+              value > (1. + rounding) * largest_ratio * limit)
+            {
+              largest_ratio = value / limit;
+              place         = point;
+              equivalent    = value;
+              yield_stress  = limit;
+            }
+        });
+      if (largest_ratio == 1.)
+        return;
+      std::ostringstream where;
+      where << place;
+      throw InputError(
+        "The 'Initial stress'" + completed +
+        " is beyond the yield stress: at (" + where.str() +
+        ") the equivalent stress is " + to_text(equivalent) +
+        ", and 'Material/Yield stress' is " + to_text(yield_stress) +
+        ". No body could bear it. Make it smaller, or raise the yield "
+        "stress to that of the hardened material.");
+    }
   } // namespace
 
 
@@ -119,7 +121,6 @@ namespace ElastoPlastic
     initialize_vector(layout);
     initial_strains.reinit(kernel->n_batches(), n_points);
     const auto set = [&]() {
-      Excess<dim> excess;
       for_each_quadrature_point<dim>(
         *kernel,
         n_points,
@@ -127,16 +128,14 @@ namespace ElastoPlastic
             const unsigned int lane,
             const unsigned int q,
             const Point<dim>  &point) {
-          const Material<double> material =
-            lane_of(materials.at(batch, q), lane);
-          const auto at_point = stress.value(point);
-          excess.look_at(point, at_point, material);
-          const auto strain = elastic_strain(material, at_point);
+          const auto strain =
+            elastic_strain(lane_of(materials.at(batch, q), lane),
+                           stress.value(point));
           for (unsigned int i = 0; i < 6; ++i)
             initial_strains.at(batch, q).access_raw_entry(i)[lane] =
               strain.access_raw_entry(i);
         });
-      excess.check("");
+      check_stress<dim>(initial_strains, materials, *kernel, n_points, "");
     };
     rethrow_collectively(layout.get_mpi_communicator(), set);
   }
@@ -173,23 +172,12 @@ namespace ElastoPlastic
     kernel->for_each_batch({&displacement}, add);
 
     const auto check = [&]() {
-      Excess<dim> excess;
-      for_each_quadrature_point<dim>(
+      check_stress<dim>(
+        initial_strains,
+        materials,
         *kernel,
         n_points,
-        [&](const unsigned int batch,
-            const unsigned int lane,
-            const unsigned int q,
-            const Point<dim>  &point) {
-          const Material<double> material =
-            lane_of(materials.at(batch, q), lane);
-          excess.look_at(point,
-                         elastic_stress(material,
-                                        lane_of(initial_strains.at(batch, q),
-                                                lane)),
-                         material);
-        });
-      excess.check(", completed by what supports and loads at t = 0 ask for,");
+        ", completed by what supports and loads at t = 0 ask for,");
     };
     rethrow_collectively(displacement.get_mpi_communicator(), check);
   }
