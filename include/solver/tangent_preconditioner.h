@@ -102,10 +102,6 @@ namespace ElastoPlastic
     AffineConstraints<double>
     with_held(const HeldUnknowns &held, const Moves &moves) const;
 
-    /// With the values of unknowns that other ranks own.
-    VectorType
-    with_ghosts(const VectorType &vector) const;
-
     const DoFHandler<dim>           *dof_handler = nullptr;
     const AffineConstraints<double> *constraints = nullptr;
     IndexSet                         relevant_dofs;

@@ -4,6 +4,8 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/patterns.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <set>
 
@@ -60,18 +62,6 @@ namespace ElastoPlastic
 
 
 
-    /// "steel, copper", for messages.
-    std::string
-    list_of(const std::set<std::string> &names)
-    {
-      std::string list;
-      for (const std::string &name : names)
-        list += (list.empty() ? "" : ", ") + name;
-      return list;
-    }
-
-
-
     /// The places in the list @p groups as material ids, instead of the numbers
     /// of the physical groups.
     template <int dim>
@@ -92,7 +82,7 @@ namespace ElastoPlastic
         }
       const std::string all_names =
         " The cells of the mesh file are in the physical groups: " +
-        list_of(names) + ".";
+        boost::algorithm::join(names, ", ") + ".";
       for (auto name = groups.begin(); name != groups.end(); ++name)
         {
           if (std::find(groups.begin(), name, *name) != name)
@@ -106,7 +96,8 @@ namespace ElastoPlastic
       if (!names.empty())
         throw InputError(path,
                          groups,
-                         "it must name all groups: " + list_of(names) +
+                         "it must name all groups: " +
+                           boost::algorithm::join(names, ", ") +
                            " is missing." + all_names);
     }
   } // namespace

@@ -4,6 +4,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -20,17 +22,6 @@ namespace ElastoPlastic
 
   namespace
   {
-    std::string
-    header(const std::vector<std::string> &columns)
-    {
-      std::string line;
-      for (const std::string &column : columns)
-        line += (line.empty() ? "" : ",") + column;
-      return line;
-    }
-
-
-
     /// Whether @p line consists of @p n_columns numbers.
     bool
     is_row(const std::string &line, const std::size_t n_columns)
@@ -57,8 +48,9 @@ namespace ElastoPlastic
                    }));
       std::string line, rows;
       // (A line without an end, which is cut, sets the end of the text.)
-      bool         intact = std::getline(text, line) && line == header(columns);
-      unsigned int row    = 0;
+      bool intact = std::getline(text, line) &&
+                    line == boost::algorithm::join(columns, ",");
+      unsigned int row = 0;
       for (; intact && row < n_rows; ++row)
         {
           intact = std::getline(text, line) && !text.eof() &&
@@ -87,7 +79,7 @@ namespace ElastoPlastic
     : communicator(communicator)
     , name(name)
     , row_count(n_rows)
-    , contents(header(columns) + '\n')
+    , contents(boost::algorithm::join(columns, ",") + '\n')
   {
     rethrow_collectively(communicator, [&]() {
       if (Utilities::MPI::this_mpi_process(communicator) == 0 && n_rows > 0)

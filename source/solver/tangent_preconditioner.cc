@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "base/compatibility.h"
+#include "base/ghost_values.h"
 #include "solver/tangent_preconditioner.h"
 
 namespace ElastoPlastic
@@ -128,20 +129,6 @@ namespace ElastoPlastic
 
 
 
-  template <int dim>
-  VectorType
-  TangentMatrix<dim>::with_ghosts(const VectorType &vector) const
-  {
-    VectorType copy(dof_handler->locally_owned_dofs(),
-                    relevant_dofs,
-                    communicator_of(*dof_handler));
-    copy.copy_locally_owned_data_from(vector);
-    copy.update_ghost_values();
-    return copy;
-  }
-
-
-
   // A spring acts on -w_b.
   template <int dim>
   void
@@ -171,10 +158,10 @@ namespace ElastoPlastic
   TangentMatrix<dim>::with_held(const HeldUnknowns &held,
                                 const Moves        &moves) const
   {
-    const VectorType constrained = with_ghosts(held.constrained);
+    const VectorType constrained = ghosted_copy(held.constrained, *dof_handler);
     const bool       is_sloped   = held.slopes.size() > 0;
     const VectorType slopes =
-      is_sloped ? with_ghosts(held.slopes) : VectorType();
+      is_sloped ? ghosted_copy(held.slopes, *dof_handler) : VectorType();
 
     auto all_constraints = empty_constraints(*dof_handler);
     all_constraints.merge(*constraints);
