@@ -14,6 +14,7 @@
 #include "bounds/body/split_body.h"
 #include "box_names.h"
 #include "mesh/ready_meshes.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -37,13 +38,9 @@ namespace
     box.circle_radius = 1.;
     make_box(box, mesh);
     for (unsigned int i = 0; i < 2; ++i)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              (i == 0 || cell->center().distance({1, 0, 0}) < 0.7))
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
+      refine_where(mesh, [&](const auto &cell) {
+        return i == 0 || cell->center().distance({1, 0, 0}) < 0.7;
+      });
   }
 
 

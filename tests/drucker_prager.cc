@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+#include "refine_where.h"
 #include "soil_bounds.h"
 
 using namespace ElastoPlastic;
@@ -189,14 +190,10 @@ namespace
     GridGenerator::subdivided_hyper_rectangle(
       triangulation, {6, 6}, Point<2>(0, -6), Point<2>(6, 0), true);
     for (unsigned int k = 0; k < 3; ++k)
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              cell->center().distance(Point<2>(1., 0.)) <
-                2.5 * cell->diameter())
-            cell->set_refine_flag();
-        triangulation.execute_coarsening_and_refinement();
-      }
+      refine_where(triangulation, [&](const auto &cell) {
+        return cell->center().distance(Point<2>(1., 0.)) <
+               2.5 * cell->diameter();
+      });
   }
 
 

@@ -18,6 +18,7 @@
 #include <limits>
 
 #include "box_names.h"
+#include "refine_where.h"
 #include "soil_bounds.h"
 
 using namespace ElastoPlastic;
@@ -204,11 +205,9 @@ main(int argc, char *argv[])
   GridGenerator::subdivided_hyper_rectangle(
     cube, {2, 2, 2}, Point<3>(0, 0, -1), Point<3>(1, 1, 0), true);
   GridTools::distort_random(0.2, cube, /* keep_boundary = */ true);
-  for (const auto &cell : cube.active_cell_iterators())
-    if (cell->is_locally_owned() &&
-        cell->center().distance(Point<3>(1, 1, 0)) < 0.6)
-      cell->set_refine_flag();
-  cube.execute_coarsening_and_refinement();
+  refine_where(cube, [&](const auto &cell) {
+    return cell->center().distance(Point<3>(1, 1, 0)) < 0.6;
+  });
   for (const double degrees : {10., 30.})
     test_cube(cube, degrees);
   test_weight(cube);

@@ -20,6 +20,7 @@
 #include "bounds/stress/stress_field.h"
 #include "element_tractions.h"
 #include "interpolated_stress.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -73,10 +74,9 @@ namespace
     Triangulation<2> triangulation;
     GridGenerator::hyper_cube(triangulation, 0., 1., true);
     triangulation.refine_global(1);
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->center()[0] < 0.5 && cell->center()[1] < 0.5)
-        cell->set_refine_flag();
-    triangulation.execute_coarsening_and_refinement();
+    refine_where(triangulation, [&](const auto &cell) {
+      return cell->center()[0] < 0.5 && cell->center()[1] < 0.5;
+    });
     triangulation.refine_global(n_refinements);
 
     SplitBody<2> body;

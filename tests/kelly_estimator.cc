@@ -17,6 +17,7 @@
 #include "base/ghost_values.h"
 #include "base/largest_error.h"
 #include "mechanics/solid_operator.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -35,12 +36,9 @@ namespace
   {
     mesh.refine_global(1);
     for (const double distance : {0.9, 0.4})
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->is_locally_owned() && cell->center().norm() < distance)
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
+      refine_where(mesh, [&](const auto &cell) {
+        return cell->center().norm() < distance;
+      });
     GridTools::transform(
       [](const Point<dim> &x) {
         Point<dim> moved = x;

@@ -17,6 +17,7 @@
 #include "bounds/limit_load.h"
 #include "bounds/stress/stress_check.h"
 #include "bounds/stress/stress_field.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -51,14 +52,10 @@ namespace
                                               Point<2>(10, 0),
                                               /* colorize = */ true);
     for (unsigned int k = 0; k < 2; ++k)
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              cell->center().distance(Point<2>(1., 0.)) <
-                1.5 * cell->diameter())
-            cell->set_refine_flag();
-        triangulation.execute_coarsening_and_refinement();
-      }
+      refine_where(triangulation, [&](const auto &cell) {
+        return cell->center().distance(Point<2>(1., 0.)) <
+               1.5 * cell->diameter();
+      });
   }
 
 

@@ -21,6 +21,7 @@
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
 #include "mesh/ready_meshes.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -47,17 +48,6 @@ namespace
     material.yield_radius      = std::sqrt(2. / 3.);
     material.isotropic_modulus = 0.;
     return material;
-  }
-
-
-
-  void
-  refine(Mesh &mesh, const std::function<bool(const Point<3> &)> &is_flagged)
-  {
-    for (const auto &cell : mesh.active_cell_iterators())
-      if (cell->is_locally_owned() && is_flagged(cell->center()))
-        cell->set_refine_flag();
-    mesh.execute_coarsening_and_refinement();
   }
 
 
@@ -295,12 +285,15 @@ main(int argc, char *argv[])
   GridGenerator::subdivided_hyper_rectangle(
     cube, {2, 2, 2}, Point<3>(0, 0, -1), Point<3>(1, 1, 0), true);
   GridTools::distort_random(0.2, cube, /* keep_boundary = */ true);
-  refine(cube, [](const Point<3> &x) { return x.distance({1, 1, 0}) < 0.6; });
+  refine_where(cube, [](const auto &cell) {
+    return cell->center().distance({1, 1, 0}) < 0.6;
+  });
 
   Mesh block(MPI_COMM_WORLD);
   GridGenerator::subdivided_hyper_rectangle(
     block, {2, 2, 2}, Point<3>(0, 0, -2), Point<3>(2, 2, 0), true);
-  refine(block, [](const Point<3> &x) { return x.norm() < 1.; });
+  refine_where(block,
+               [](const auto &cell) { return cell->center().norm() < 1.; });
 
   Mesh          block_with_circle(MPI_COMM_WORLD);
   BoxParameters box;

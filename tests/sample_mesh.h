@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+#include "refine_where.h"
+
 // Meshes to test with, and fields on them.
 
 /// Divides the cells in the corner with the greatest coordinates once more:
@@ -60,11 +62,9 @@ make_half_space_mesh(dealii::parallel::distributed::Triangulation<2> &mesh)
                                                     dealii::Point<2>(0, -1),
                                                     dealii::Point<2>(1, 0),
                                                     /* colorize = */ true);
-  for (const auto &cell : mesh.active_cell_iterators())
-    if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
-        cell->center()[1] > -0.25)
-      cell->set_refine_flag();
-  mesh.execute_coarsening_and_refinement();
+  refine_where(mesh, [&](const auto &cell) {
+    return cell->center()[0] < 0.5 && cell->center()[1] > -0.25;
+  });
 }
 
 

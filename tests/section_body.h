@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bounds/body/split_body.h"
+#include "refine_where.h"
 
 // Small bodies for tests of the equilibrium method.
 
@@ -79,12 +80,9 @@ namespace SectionBody
     if (kind == MeshKind::distorted)
       GridTools::distort_random(0.25, mesh, /* keep_boundary = */ true);
     for (unsigned int k = 0; k < (kind == MeshKind::refined ? 3 : 0); ++k)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->center().distance({1., 0.}) < 1.5 * cell->diameter())
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
+      refine_where(mesh, [&](const auto &cell) {
+        return cell->center().distance({1., 0.}) < 1.5 * cell->diameter();
+      });
   }
 
 

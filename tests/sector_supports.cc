@@ -4,6 +4,7 @@
 // Rollers on the planes of symmetry of a sector of a round block, which meet at
 // the axis, with hanging nodes on both: they hold what symmetry does.
 
+#include "refine_where.h"
 #include "supported_body.h"
 #include "verdict.h"
 
@@ -21,13 +22,9 @@ namespace
       const BoundaryNames names = make_sector<3>(parameters, mesh);
       mesh.refine_global(1);
       for (const double size : {0.2, 0.1})
-        {
-          for (const auto &cell : mesh.active_cell_iterators())
-            if (cell->is_locally_owned() &&
-                cell->center().distance(Point<3>(0, 0, -0.1)) < size)
-              cell->set_refine_flag();
-          mesh.execute_coarsening_and_refinement();
-        }
+        refine_where(mesh, [&](const auto &cell) {
+          return cell->center().distance(Point<3>(0, 0, -0.1)) < size;
+        });
       return names;
     };
   }

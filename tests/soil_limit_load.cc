@@ -16,6 +16,7 @@
 
 #include "bounds/limit_load.h"
 #include "bounds/stress/stress_check.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -51,14 +52,10 @@ namespace
                                               /* colorize = */ true);
     divide_surface(triangulation);
     for (unsigned int k = 0; k < n_refinements; ++k)
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              cell->center().distance(Point<2>(1., 0.)) <
-                2.5 * cell->diameter())
-            cell->set_refine_flag();
-        triangulation.execute_coarsening_and_refinement();
-      }
+      refine_where(triangulation, [&](const auto &cell) {
+        return cell->center().distance(Point<2>(1., 0.)) <
+               2.5 * cell->diameter();
+      });
   }
 
 

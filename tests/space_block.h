@@ -13,6 +13,7 @@
 
 #include "bounds/error/error_bound.h"
 #include "box_names.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 // A cube under an indenter, cut into tetrahedra, for what the error bound in
@@ -139,10 +140,8 @@ namespace SpaceBlock
   {
     GridGenerator::subdivided_hyper_rectangle(
       block, {2, 2, 2}, Point<3>(0, 0, -1), Point<3>(1, 1, 0), true);
-    for (const auto &cell : block.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->center().norm() < 0.5)
-        cell->set_refine_flag();
-    block.execute_coarsening_and_refinement();
+    refine_where(block,
+                 [&](const auto &cell) { return cell->center().norm() < 0.5; });
   }
 } // namespace SpaceBlock
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "bounds/mesh/split_mesh.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -38,13 +39,9 @@ namespace
     for (const auto &cell : mesh.active_cell_iterators())
       cell->set_material_id(cell->center()[0] < 0.5 * upper[0] ? 0 : 1);
     for (unsigned int i = 0; i < 2; ++i)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              cell->center().distance(upper) < 1.5 * cell->diameter())
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
+      refine_where(mesh, [&](const auto &cell) {
+        return cell->center().distance(upper) < 1.5 * cell->diameter();
+      });
   }
 
 

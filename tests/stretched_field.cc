@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "mechanics/stretched_field.h"
+#include "refine_where.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -45,13 +46,9 @@ namespace
                                               lower,
                                               upper);
     for (unsigned int i = 0; i < 3; ++i)
-      {
-        for (const auto &cell : mesh.active_cell_iterators())
-          if (cell->is_locally_owned() &&
-              cell->center().distance(corner) < 1.5 * cell->diameter())
-            cell->set_refine_flag();
-        mesh.execute_coarsening_and_refinement();
-      }
+      refine_where(mesh, [&](const auto &cell) {
+        return cell->center().distance(corner) < 1.5 * cell->diameter();
+      });
   }
 
 
