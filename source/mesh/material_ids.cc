@@ -18,44 +18,23 @@ namespace ElastoPlastic
   namespace
   {
     template <int dim>
-    class MaterialIds
+    types::material_id
+    material_id(const std::string     &path,
+                const std::string     &text,
+                const Expression<dim> &expression,
+                const Point<dim>      &centre)
     {
-    public:
-      MaterialIds(const std::string &path, const std::string &text)
-        : path(path)
-        , text(text)
-        , expression(path, text, ExpressionVariables::position)
-      {}
-
-      void
-      apply_to(Triangulation<dim> &triangulation) const
-      {
-        rethrow_collectively(communicator_of(triangulation), [&]() {
-          for (const auto &cell : triangulation.cell_iterators())
-            cell->set_material_id(value(cell->center()));
-        });
-      }
-
-    private:
-      types::material_id
-      value(const Point<dim> &centre) const
-      {
-        const double rounded = std::round(expression.value(centre));
-        if (rounded < 0 || rounded >= numbers::invalid_material_id)
-          {
-            std::ostringstream remedy;
-            remedy << "at the centre (" << centre << ") of a cell its value "
-                   << rounded << " is no number of a material. It must be "
-                   << "0 for the first material, 1 for the second, and so on.";
-            throw InputError(path, text, remedy.str());
-          }
-        return static_cast<types::material_id>(rounded);
-      }
-
-      const std::string     path;
-      const std::string     text;
-      const Expression<dim> expression;
-    };
+      const double rounded = std::round(expression.value(centre));
+      if (rounded < 0 || rounded >= numbers::invalid_material_id)
+        {
+          std::ostringstream remedy;
+          remedy << "at the centre (" << centre << ") of a cell its value "
+                 << rounded << " is no number of a material. It must be "
+                 << "0 for the first material, 1 for the second, and so on.";
+          throw InputError(path, text, remedy.str());
+        }
+      return static_cast<types::material_id>(rounded);
+    }
   } // namespace
 
 
@@ -68,9 +47,16 @@ namespace ElastoPlastic
                    const std::string  &text,
                    Triangulation<dim> &triangulation)
   {
-    const auto ids    = std::make_shared<MaterialIds<dim>>(path, text);
-    const auto update = [ids, &triangulation]() {
-      ids->apply_to(triangulation);
+    const auto expression =
+      std::make_shared<Expression<dim>>(path,
+                                        text,
+                                        ExpressionVariables::position);
+    const auto update = [path, text, expression, &triangulation]() {
+      rethrow_collectively(communicator_of(triangulation), [&]() {
+        for (const auto &cell : triangulation.cell_iterators())
+          cell->set_material_id(
+            material_id(path, text, *expression, cell->center()));
+      });
     };
     update();
 
