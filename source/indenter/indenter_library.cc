@@ -163,23 +163,21 @@ namespace ElastoPlastic
     Pointer<dim>
     pyramid(const IndenterParameters &p)
     {
-      IndenterPyramid::Shape shape;
+      PyramidShape shape;
       shape.n_faces         = p.n_faces;
       shape.face_angle      = p.face_angle;
       shape.rotation        = p.rotation;
       shape.rounding_radius = p.rounding_radius;
       shape.truncation      = p.truncation;
       if constexpr (dim == 3)
-        return std::make_unique<IndenterPyramid>(shape);
+        return make_pyramid(shape);
       else
         throw InputError(
           "Indenter/Type",
           p.type,
           "in two dimensions there are no pyramids. The cone that displaces the "
           "same volume is 'Type = cone' with 'Semi-apex angle = " +
-            Patterns::Tools::to_string(
-              IndenterPyramid::semi_apex_angle_of_cone(shape)) +
-            "'.");
+            Patterns::Tools::to_string(semi_apex_angle_of_cone(shape)) + "'.");
     }
 
 
