@@ -8,8 +8,8 @@
 
 #include <iostream>
 
-#include "base/exceptions.h"
 #include "loads/boundary_conditions.h"
+#include "refusal.h"
 
 using namespace ElastoPlastic;
 
@@ -88,15 +88,7 @@ namespace
   void
   print_error(const std::string &text)
   {
-    try
-      {
-        conditions_from(text);
-        std::cout << "no error" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << '\n' << std::endl;
-      }
+    std::cout << refusal([&]() { conditions_from(text); }) << '\n' << std::endl;
   }
 } // namespace
 

@@ -16,8 +16,8 @@
 #include <iostream>
 
 #include "base/compatibility.h"
-#include "base/exceptions.h"
 #include "mesh/geometry.h"
+#include "refusal.h"
 
 using namespace ElastoPlastic;
 
@@ -195,18 +195,12 @@ namespace
   void
   print_error(const std::string &text)
   {
-    std::string message = "no error";
-    try
-      {
-        const GeometryParameters parameters = parameters_from(text);
-        parameters.check(dim);
-        Mesh<dim> mesh(MPI_COMM_WORLD);
-        make_mesh(parameters, mesh);
-      }
-    catch (const InputError &error)
-      {
-        message = error.what();
-      }
+    const std::string message = refusal([&]() {
+      const GeometryParameters parameters = parameters_from(text);
+      parameters.check(dim);
+      Mesh<dim> mesh(MPI_COMM_WORLD);
+      make_mesh(parameters, mesh);
+    });
     if (on_first_rank())
       std::cout << message << '\n' << std::endl;
   }

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "base/exceptions.h"
 #include "mesh/gmsh_file.h"
+#include "refusal.h"
 
 namespace ElastoPlastic
 {
@@ -37,16 +37,11 @@ namespace ElastoPlastic
   print_error(const std::string        &text,
               const GmshFileParameters &parameters = {})
   {
-    try
-      {
-        Triangulation<dim> mesh(Triangulation<dim>::none, true);
-        make_mesh_from_text(text, mesh, parameters);
-        std::cout << "no error\n" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        std::cout << error.what() << '\n' << std::endl;
-      }
+    const auto make = [&]() {
+      Triangulation<dim> mesh(Triangulation<dim>::none, true);
+      make_mesh_from_text(text, mesh, parameters);
+    };
+    std::cout << refusal(make) << '\n' << std::endl;
   }
 
 

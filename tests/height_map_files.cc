@@ -13,9 +13,9 @@
 #include <fstream>
 #include <iostream>
 
-#include "base/exceptions.h"
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
+#include "refusal.h"
 
 #include <png.h>
 
@@ -118,19 +118,14 @@ print_heights(const IndenterParameters &parameters)
 void
 print_error(const IndenterParameters &parameters, const unsigned int dim = 3)
 {
-  try
-    {
-      parameters.check(dim);
-      if (dim == 2)
-        make_indenter<2>(parameters);
-      else
-        make_indenter<3>(parameters);
-      std::cout << "  accepted" << std::endl;
-    }
-  catch (const InputError &error)
-    {
-      std::cout << "  " << error.what() << std::endl;
-    }
+  const auto make = [&]() {
+    parameters.check(dim);
+    if (dim == 2)
+      make_indenter<2>(parameters);
+    else
+      make_indenter<3>(parameters);
+  };
+  std::cout << "  " << refusal(make) << std::endl;
 }
 
 

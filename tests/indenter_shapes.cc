@@ -10,9 +10,9 @@
 
 #include <iostream>
 
-#include "base/exceptions.h"
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
+#include "refusal.h"
 
 using namespace ElastoPlastic;
 
@@ -98,19 +98,14 @@ print_gap(const IndenterParameters &parameters, const Point<dim> &p)
 void
 print_error(const IndenterParameters &parameters, const unsigned int dim)
 {
-  try
-    {
-      parameters.check(dim);
-      if (dim == 2)
-        make_indenter<2>(parameters);
-      else
-        make_indenter<3>(parameters);
-      std::cout << "  accepted" << std::endl;
-    }
-  catch (const InputError &error)
-    {
-      std::cout << "  " << error.what() << std::endl;
-    }
+  const auto make = [&]() {
+    parameters.check(dim);
+    if (dim == 2)
+      make_indenter<2>(parameters);
+    else
+      make_indenter<3>(parameters);
+  };
+  std::cout << "  " << refusal(make) << std::endl;
 }
 
 

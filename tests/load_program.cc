@@ -10,10 +10,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "base/exceptions.h"
 #include "loading/load_program.h"
 #include "loading/loading_parameters.h"
 #include "loading/time_steps.h"
+#include "refusal.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -197,16 +197,9 @@ namespace
                const LoadingParameters &now,
                const double             time)
   {
-    std::string answer = "ok";
-    try
-      {
-        check_same_past(before, now, time);
-      }
-    catch (const InputError &error)
-      {
-        answer = error.what();
-      }
-    output() << "  " << what << ": " << answer << std::endl;
+    output() << "  " << what << ": "
+             << refusal([&]() { check_same_past(before, now, time); }, "ok")
+             << std::endl;
   }
 
 

@@ -14,9 +14,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "base/exceptions.h"
 #include "indenter/height_file.h"
 #include "indenter/indenter_parameters.h"
+#include "refusal.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -187,15 +187,8 @@ namespace
   refuse(const std::string &name, const std::string &content)
   {
     write(name, content);
-    try
-      {
-        make_indenter<3>(stl(name));
-        output() << "  accepted" << std::endl;
-      }
-    catch (const InputError &error)
-      {
-        output() << "  " << error.what() << std::endl;
-      }
+    output() << "  " << refusal([&]() { make_indenter<3>(stl(name)); })
+             << std::endl;
   }
 
 
