@@ -4,7 +4,6 @@
 // Displacements of bilinear elements, also beside hanging nodes, become the
 // same quadratic ones on the triangles of the split mesh.
 
-#include <deal.II/base/function_lib.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -17,6 +16,7 @@
 
 #include "bounds/mechanism/quadratic_field.h"
 #include "sample_mesh.h"
+#include "vector_field.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -24,20 +24,11 @@ using namespace ElastoPlastic;
 namespace
 {
   /// Bilinear on each cell of a block whose sides are parallel to the axes.
-  class Bilinear : public Function<2>
-  {
-  public:
-    Bilinear()
-      : Function<2>(2)
-    {}
-
-    double
-    value(const Point<2> &x, const unsigned int component) const override
-    {
-      return component == 0 ? 0.3 * x[0] - x[1] + 0.5 * x[0] * x[1] :
-                              0.1 + x[0] * (2. - x[1]);
-    }
-  };
+  const VectorField<2> bilinear([](const Point<2>    &x,
+                                   const unsigned int component) {
+    return component == 0 ? 0.3 * x[0] - x[1] + 0.5 * x[0] * x[1] :
+                            0.1 + x[0] * (2. - x[1]);
+  });
 
 
 
@@ -52,7 +43,7 @@ namespace
     VectorType values(dof_handler.locally_owned_dofs(),
                       relevant,
                       MPI_COMM_WORLD);
-    VectorTools::interpolate(dof_handler, Bilinear(), values);
+    VectorTools::interpolate(dof_handler, bilinear, values);
 
     const SplitMesh<2>      mesh = make_split_mesh(triangulation);
     const QuadraticField<2> field =
@@ -70,7 +61,7 @@ namespace
             std::max(value_error,
                      std::abs(field.value(mesh.simplices[t],
                                           {{1. / 3., 1. / 3., 1. / 3.}})[d] -
-                              Bilinear().value(center, d)));
+                              bilinear.value(center, d)));
         for (unsigned int i = 0; i < 3; ++i)
           {
             const Point<2>       &x = corners[i];

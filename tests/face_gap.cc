@@ -16,6 +16,7 @@
 #include "base/largest_error.h"
 #include "bounds/error/face_gap.h"
 #include "space_block.h"
+#include "vector_field.h"
 
 using namespace SpaceBlock;
 
@@ -146,20 +147,11 @@ namespace
   void
   test_interpolation(const Mesh &triangulation, const SplitMesh<3> &mesh)
   {
-    class Quadratic : public Function<3>
-    {
-    public:
-      Quadratic()
-        : Function<3>(3)
-      {}
-
-      double
-      value(const Point<3> &x, const unsigned int component) const override
-      {
+    const VectorField<3> quadratic(
+      [](const Point<3> &x, const unsigned int component) {
         return x[component] * (1. + x[(component + 1) % 3]) -
                x[2] * x[2] * (1. + component);
-      }
-    };
+      });
     const FESystem<3> fe(FE_Q<3>(2), 3);
     DoFHandler<3>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);
@@ -168,16 +160,15 @@ namespace
     VectorType values(dof_handler.locally_owned_dofs(),
                       relevant,
                       MPI_COMM_WORLD);
-    VectorTools::interpolate(dof_handler, Quadratic(), values);
+    VectorTools::interpolate(dof_handler, quadratic, values);
     const QuadraticField<3> field =
       QuadraticField<3>::interpolate_displacement(mesh, dof_handler, values);
     if (mesh.simplices.empty())
       return;
 
-    const QuadraticField<3> exact = make_field(mesh, [](const Point<3> &x) {
-      return Tensor<1, 3>({Quadratic().value(x, 0),
-                           Quadratic().value(x, 1),
-                           Quadratic().value(x, 2)});
+    const QuadraticField<3> exact = make_field(mesh, [&](const Point<3> &x) {
+      return Tensor<1, 3>(
+        {quadratic.value(x, 0), quadratic.value(x, 1), quadratic.value(x, 2)});
     });
     double                  error = 0., strain_error = 0., center_error = 0.;
     for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
@@ -205,7 +196,7 @@ namespace
           std::max(center_error,
                    std::abs(field.value(mesh.simplices[t],
                                         {{0.25, 0.25, 0.25, 0.25}})[1] -
-                            Quadratic().value(center, 1)));
+                            quadratic.value(center, 1)));
       }
     output() << "A finite element solution" << std::endl;
     verify("interpolated", error, 1e-13);

@@ -12,6 +12,7 @@
 #include "base/compatibility.h"
 #include "contact/contact_set.h"
 #include "sample_mesh.h"
+#include "vector_field.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -27,22 +28,12 @@ namespace
   /// All nodes press with 1, and the more they are sheared, the farther they
   /// are from the middle: two a third more than friction allows, two a twelfth.
   /// By rounding, the right half is sheared a little more.
-  class Force : public Function<2>
-  {
-  public:
-    Force()
-      : Function<2>(2)
-    {}
-
-    double
-    value(const Point<2> &x, const unsigned int component) const override
-    {
-      if (component == 1)
-        return 1.;
-      return (x[0] > 0.5 ? 1. + 1e-10 : 1.) *
-             (0.25 + 0.3 * std::abs(x[0] - 0.5));
-    }
-  };
+  const VectorField<2> forces([](const Point<2>    &x,
+                                 const unsigned int component) {
+    return component == 1 ? 1. :
+                            (x[0] > 0.5 ? 1. + 1e-10 : 1.) *
+                              (0.25 + 0.3 * std::abs(x[0] - 0.5));
+  });
 
 
 
@@ -69,7 +60,7 @@ namespace
       contact.reinit(
         dof_handler, constraints, {3}, IndexSet(dof_handler.n_dofs()), zero);
       force = zero;
-      VectorTools::interpolate(dof_handler, Force(), force);
+      VectorTools::interpolate(dof_handler, forces, force);
       contact.place(0.1);
       contact.begin_step(zero, 0., {});
       contact.activate_touching(zero);

@@ -16,6 +16,7 @@
 #include "sample_material.h"
 #include "sample_mesh.h"
 #include "sample_model.h"
+#include "vector_field.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -24,28 +25,6 @@ namespace
 {
   template <int dim>
   using Mesh = parallel::distributed::Triangulation<dim>;
-
-
-
-  /// u = gradient x
-  template <int dim>
-  class LinearField : public Function<dim>
-  {
-  public:
-    explicit LinearField(const Tensor<2, dim> &gradient)
-      : Function<dim>(dim)
-      , gradient(gradient)
-    {}
-
-    double
-    value(const Point<dim> &point, const unsigned int component) const override
-    {
-      return gradient[component] * point;
-    }
-
-  private:
-    const Tensor<2, dim> gradient;
-  };
 
 
 
@@ -65,7 +44,9 @@ namespace
       , names(names)
       , normals(normals)
       , kinematics(kinematics)
-      , field(gradient)
+      , field([gradient](const Point<dim> &x, const unsigned int component) {
+        return gradient[component] * x;
+      })
       , stress(stress_of(gradient))
       , fe(FE_Q<dim>(2), dim)
       , dof_handler(mesh)
@@ -166,7 +147,7 @@ namespace
     const BoundaryNames                         names;
     const std::map<std::string, Tensor<1, dim>> normals;
     const Kinematics                            kinematics;
-    const LinearField<dim>                      field;
+    const VectorField<dim>                      field;
     const Tensor<2, dim>                        stress;
     const FESystem<dim>                         fe;
     DoFHandler<dim>                             dof_handler;

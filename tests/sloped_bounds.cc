@@ -21,6 +21,7 @@
 #include "mechanics/solid_operator.h"
 #include "sample_mesh.h"
 #include "solver/reduced_unknowns.h"
+#include "vector_field.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -66,19 +67,11 @@ namespace
 
   /// A tenth of the height, the same everywhere.
   template <int dim>
-  class Compression : public Function<dim>
+  double
+  compression(const Point<dim> &x, const unsigned int component)
   {
-  public:
-    Compression()
-      : Function<dim>(dim)
-    {}
-
-    double
-    value(const Point<dim> &x, const unsigned int component) const override
-    {
-      return component == dim - 1 ? -0.1 * (1. + x[dim - 1]) : 0.;
-    }
-  };
+    return component == dim - 1 ? -0.1 * (1. + x[dim - 1]) : 0.;
+  }
 
 
 
@@ -169,7 +162,9 @@ namespace
     touch(const Control control)
     {
       contact.set_load({Control::depth, 0.37});
-      VectorTools::interpolate(dof_handler, Compression<dim>(), u);
+      VectorTools::interpolate(dof_handler,
+                               VectorField<dim>(compression<dim>),
+                               u);
       contact.activate_touching(u);
       u.add(0.002, sample(3.));
       contact.move_active(u);

@@ -23,6 +23,7 @@
 
 #include "mechanics/stretched_field.h"
 #include "refine_where.h"
+#include "vector_field.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -55,32 +56,19 @@ namespace
 
   /// A polynomial of this degree, at x or where it has been stretched from.
   template <int dim>
-  class Polynomial : public Function<dim>
+  VectorField<dim>
+  polynomial(const unsigned int degree,
+             const double       factor,
+             const Point<dim>  &centre)
   {
-  public:
-    Polynomial(const unsigned int degree,
-               const double       factor,
-               const Point<dim>  &centre)
-      : Function<dim>(dim)
-      , degree(degree)
-      , factor(factor)
-      , centre(centre)
-    {}
-
-    double
-    value(const Point<dim> &x, const unsigned int component) const override
-    {
-      const Point<dim> origin = centre + (x - centre) / factor;
-      const double     other  = origin[(component + 1) % dim];
-      return 1. + component - 0.7 * origin[component] +
-             0.4 * std::pow(other, degree);
-    }
-
-  private:
-    const unsigned int degree;
-    const double       factor;
-    const Point<dim>   centre;
-  };
+    return VectorField<dim>(
+      [=](const Point<dim> &x, const unsigned int component) {
+        const Point<dim> origin = centre + (x - centre) / factor;
+        const double     other  = origin[(component + 1) % dim];
+        return 1. + component - 0.7 * origin[component] +
+               0.4 * std::pow(other, degree);
+      });
+  }
 
 
 
@@ -130,12 +118,12 @@ namespace
     make_mesh(mesh, corner);
     const Fields<dim> fields(mesh, degree);
     const VectorType  field =
-      fields.interpolated(Polynomial<dim>(degree, 1., corner));
+      fields.interpolated(polynomial<dim>(degree, 1., corner));
     for (const double factor : {1.03, 1.4, 5.})
       {
         VectorType error = stretched_field(
           field, factor, corner, fields.dof_handler, fields.constraints);
-        error -= fields.interpolated(Polynomial<dim>(degree, factor, corner));
+        error -= fields.interpolated(polynomial<dim>(degree, factor, corner));
         verify("by " + std::to_string(factor), error.linfty_norm(), 1e-12);
       }
   }
@@ -155,12 +143,12 @@ namespace
     mesh.refine_global(3);
     const Fields<dim> fields(mesh, 1);
     const VectorType  field =
-      fields.interpolated(Polynomial<dim>(1, 1., corner));
+      fields.interpolated(polynomial<dim>(1, 1., corner));
     for (const double factor : {1.05, 2.})
       {
         VectorType error = stretched_field(
           field, factor, corner, fields.dof_handler, fields.constraints);
-        error -= fields.interpolated(Polynomial<dim>(1, factor, corner));
+        error -= fields.interpolated(polynomial<dim>(1, factor, corner));
         verify("by " + std::to_string(factor),
                error.linfty_norm() / field.linfty_norm(),
                tolerance);
@@ -172,23 +160,14 @@ namespace
   /// The first coordinate of a point that is so many times as far from the
   /// origin, or of the boundary before it.
   template <int dim>
-  class FirstCoordinate : public Function<dim>
+  VectorField<dim>
+  first_coordinate(const double multiple)
   {
-  public:
-    explicit FirstCoordinate(const double multiple)
-      : Function<dim>(dim)
-      , multiple(multiple)
-    {}
-
-    double
-    value(const Point<dim> &x, const unsigned int component) const override
-    {
-      return component == 0 ? std::min(1.5, multiple * x[0]) : 0.;
-    }
-
-  private:
-    const double multiple;
-  };
+    return VectorField<dim>(
+      [=](const Point<dim> &x, const unsigned int component) {
+        return component == 0 ? std::min(1.5, multiple * x[0]) : 0.;
+      });
+  }
 
 
 
@@ -202,8 +181,8 @@ namespace
     parallel::distributed::Triangulation<dim> mesh(MPI_COMM_WORLD);
     make_mesh(mesh, corner);
     const Fields<dim> fields(mesh, 1);
-    const VectorType  field    = fields.interpolated(FirstCoordinate<dim>(1.));
-    const VectorType  expected = fields.interpolated(FirstCoordinate<dim>(2.));
+    const VectorType  field    = fields.interpolated(first_coordinate<dim>(1.));
+    const VectorType  expected = fields.interpolated(first_coordinate<dim>(2.));
     const VectorType  result   = stretched_field(
       field, 0.5, corner, fields.dof_handler, fields.constraints);
     VectorType error = result;
