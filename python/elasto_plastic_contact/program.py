@@ -8,6 +8,7 @@ import hashlib
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -192,3 +193,9 @@ def run(case, directory, entries=None, *, ranks=1, overwrite=False, resume=False
         raise RunError(process.returncode, process.stderr.strip())
     sys.stderr.write(process.stderr)  # warnings
     return Results(directory)
+
+
+def processor_seconds():
+    """Of all processes that this one has started and waited for."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime

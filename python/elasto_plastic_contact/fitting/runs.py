@@ -4,13 +4,12 @@
 
 import concurrent.futures
 import json
-import resource
 import threading
 from dataclasses import dataclass
 
 from ..errors import UserError
 from ..files import new_file
-from ..program import RunError
+from ..program import RunError, processor_seconds
 from ..results import Results
 from ..study.execution import attempt, is_finished, values_in_words
 
@@ -35,7 +34,7 @@ class Runs:
         self.folder, self.program = folder, program
         self.pool = concurrent.futures.ThreadPoolExecutor(at_once)
         self.lock, self.futures = threading.Lock(), {}
-        self.n_made, self.begin = 0, time_of_processes()
+        self.n_made, self.begin = 0, processor_seconds()
 
     def __enter__(self):
         return self
@@ -77,13 +76,7 @@ class Runs:
     @property
     def processor_seconds(self):
         """What they took."""
-        return time_of_processes() - self.begin
-
-
-def time_of_processes():
-    """Processor time of all processes that this one has started and that have ended, in seconds."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
+        return processor_seconds() - self.begin
 
 
 def first_line(failure):

@@ -27,10 +27,6 @@ class Case:
         """An entry, in the order of the calls."""
         self.sections.setdefault(section, []).append((entry, str(value), comment))
 
-    def set_all(self, section, entries):
-        for entry, value in entries.items():
-            self.set(section, entry, value)
-
     def text(self):
         """Of the file."""
         head = [f"{self.title}.", "", *self.remarks, "", "Chosen ('epc new', rules in doc/lookup/new_cases.md):",

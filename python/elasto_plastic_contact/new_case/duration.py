@@ -5,12 +5,11 @@ measured with files of each kind, times what a short run takes on this machine o
 
 import os
 import re
-import resource
 import subprocess
 import tempfile
 
 from ..errors import UserError
-from ..program import MPI_ENVIRONMENT, ready_case
+from ..program import MPI_ENVIRONMENT, processor_seconds, ready_case
 
 # Microseconds of one processor per unknown and load step, by Case.kind_of_time (doc/lookup/new_cases.md).
 MICROSECONDS = {
@@ -33,12 +32,6 @@ SHORT_RUN = ("indentation/sphere_axisymmetric.prm", {"Loading/History": "1: dept
                                                      "Refinement/Elements over contact radius": "20",
                                                      "Output/Fields": "never"})
 SECONDS_OF_SHORT_RUN = 2.5
-
-
-def processor_seconds():
-    """Of all processes that have been waited for."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
 
 
 def speed_of_this_machine(program):

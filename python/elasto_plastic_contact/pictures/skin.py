@@ -8,9 +8,7 @@ import numpy
 
 from .joined import FACES, Joined
 
-# Which way it is to the eye, and which way is up: for flat data, and for bodies cut at right angles
-# to an axis.
-FROM_THE_FRONT = ((0., 0., 1.), (0., 1., 0.))
+# Which way it is to the eye, and which way is up, for bodies cut at right angles to an axis.
 OBLIQUELY = {"none": ((-0.55, -0.70, 0.46), (0., 0., 1.)),
              "x": ((-0.78, -0.42, 0.46), (0., 0., 1.)),
              "y": ((-0.42, -0.78, 0.46), (0., 0., 1.))}
