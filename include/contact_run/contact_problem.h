@@ -6,6 +6,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <utility>
+
 #include "contact/contact_set.h"
 #include "loads/supports.h"
 #include "mechanics/solid_operator.h"
@@ -111,7 +113,12 @@ namespace ElastoPlastic
     update_active_set(const Vector &u, const Vector &residual) override;
 
     bool
-    slow_down() override;
+    slow_down() override
+    {
+      return contact.dissipates() &&
+             std::exchange(friction_pace, FrictionPace::worst_first) ==
+               FrictionPace::all;
+    }
 
     bool
     is_itself() const override

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -32,7 +33,12 @@ namespace ElastoPlastic
 
     /// Its slope at @p depth > final_depth.
     double
-    stiffness(const double depth) const;
+    stiffness(const double depth) const
+    {
+      return exponent *
+             std::exp(log_coefficient +
+                      (exponent - 1.) * std::log(depth - final_depth));
+    }
   };
 
 

@@ -65,7 +65,12 @@ namespace ElastoPlastic
 
     /// The unknown that belongs to an @p increment.
     double
-    unknown(const double increment) const;
+    unknown(const double increment) const
+    {
+      return exponent == 1. ?
+               increment / increment_of_one :
+               std::pow(increment / increment_of_one, 1. / exponent);
+    }
 
     /// Whether there is time to flow.
     bool

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/exceptions.h"
 #include "contact_run/contact_problem.h"
@@ -262,17 +261,6 @@ namespace ElastoPlastic
     else
       contact.find_entering(u);
     return true;
-  }
-
-
-
-  template <int dim>
-  bool
-  ContactProblem<dim>::slow_down()
-  {
-    return contact.dissipates() &&
-           std::exchange(friction_pace, FrictionPace::worst_first) ==
-             FrictionPace::all;
   }
 
 

@@ -55,15 +55,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  PowerLaw::stiffness(const double depth) const
-  {
-    return exponent * std::exp(log_coefficient +
-                               (exponent - 1.) * std::log(depth - final_depth));
-  }
-
-
-
   PowerLaw
   fit_power_law(const std::vector<std::pair<double, double>> &points)
   {

@@ -15,16 +15,6 @@ namespace ElastoPlastic
 
 
 
-  double
-  FlowStress::unknown(const double increment) const
-  {
-    return exponent == 1. ?
-             increment / increment_of_one :
-             std::pow(increment / increment_of_one, 1. / exponent);
-  }
-
-
-
   FlowStress::Value
   FlowStress::at(const double unknown) const
   {
