@@ -247,6 +247,7 @@ add_entry_test(voce_without_rate "'Material/Voce rate' is '0', but 'Material/Voc
 add_entry_test(power_law_exponent "'Material/Power law exponent' is '1.1', but it must lie between 0 .* and 1" "Material/Power law exponent=1.1")
 add_entry_test(power_law_strain "'Material/Power law reference strain' is '0', but it must be at least 1e-12" "Material/Power law reference strain=0")
 add_entry_test(table_format "'Material/Hardening table' is '0.1 500', but it must be 'none', or pairs" "Material/Hardening table=0.1 500")
+add_entry_test(or_in_expression "'Geometry/Boundary parts' is '5: x > 0.1 .. y < 0', but .*In an expression, 'or' is max.a, b.: '..' would separate" "Geometry/Boundary parts=5: x > 0.1 || y < 0")
 add_entry_test(table_empty "'Material/Hardening table' is '. 0.1: 500', but number 1 of the parts that '.' separates is empty" "Material/Hardening table=| 0.1: 500")
 add_entry_test(table_infinite "'Material/Hardening table' is '0.1: inf', but it must be 'none', or pairs" "Material/Hardening table=0.1: inf")
 add_entry_test(table_origin "'Material/Hardening table' is '0: 401', but its strains must increase, and be greater than 0" "Material/Hardening table=0: 401")

@@ -61,7 +61,12 @@ namespace ElastoPlastic
                            "number " + std::to_string(parts.size()) +
                              " of the parts that '" + separator +
                              "' separates is empty. Is one '" + separator +
-                             "' too many, or has something been forgotten?");
+                             "' too many, or has something been forgotten?" +
+                             (separator == '|' &&
+                                  text.find("||") != std::string::npos ?
+                                " (In an expression, 'or' is max(a, b): '||' "
+                                "would separate parts.)" :
+                                ""));
       }
     return parts;
   }
