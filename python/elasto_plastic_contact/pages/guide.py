@@ -121,7 +121,7 @@ def sphere_curve(runs):
     largest = max(force for _, _, force in exact)
     rows, as_it_is = [], None
     for method, n_steps, n_elements in ((EULER, 60, 20), (TWO_STEPS, 60, 20), (TWO_STEPS, 60, 10),
-                                        (TWO_STEPS, 60, 8), (TWO_STEPS, 51, 6)):
+                                        (TWO_STEPS, 60, 8), (TWO_STEPS, 48, 6)):
         (found, *_), times = zip(*(curve(method, n_steps, n_elements) for _ in range(3)))
         time = min(times)
         as_it_is = as_it_is or time
