@@ -17,6 +17,9 @@ if(TRILINOS_SOLVERS)
 else()
   list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_trilinos.cc)
 endif()
+if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/base/names_of_clang.cc)
+endif()
 
 # The bounds are a library of their own, without which a program can be built; in a package, with its
 # libraries for several processors, they are a part of these.
@@ -68,6 +71,13 @@ endif()
 # What the options of this build ask of the compiler and the linker.
 function(set_build_options _target)
   target_compile_options(${_target} PUBLIC -Wall -Wextra)
+  # deal.II hands on flags that the compiler of its package knows, and all libraries that its own one needs, which
+  # Debian's GCC leaves out where a program has no use for them: they cost a second of a processor at each start.
+  if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${_target} PUBLIC
+      -Wno-unknown-warning-option $<$<CONFIG:Release>:-Wno-ignored-optimization-argument>)
+    target_link_options(${_target} PUBLIC -Wl,--as-needed)
+  endif()
   # (include/base/enum_names.h)
   if(DEAL_II_WITH_MAGIC_ENUM)
     target_compile_features(${_target} PUBLIC cxx_std_20)

@@ -170,7 +170,7 @@ cat <<END
 
 Debian $suite, $(date -I)
   deal.II:      $(version_there libdeal.ii-dev)
-  compiler:     $(version_there g++)
+  compilers:    g++ $(version_there g++), clang $(version_there clang-14)
   Open MPI:     $(version_there openmpi-bin)
   CMake:        $(version_there cmake)
   run.sh:       $seconds_of_run s
