@@ -100,15 +100,15 @@ namespace
             if (side.boundary_id == 1)
               {
                 component.type  = ConditionType::traction;
-                component.value = {[exact, d](const Point<2> &p) {
-                  return exact.stress(p)[0][d];
+                component.value = {[exact, d](const FacePoint<2> &p) {
+                  return exact.stress(p.x)[0][d];
                 }};
               }
             else if (side.boundary_id != numbers::internal_face_boundary_id)
               {
                 component.type  = ConditionType::displacement;
-                component.value = {[exact, d](const Point<2> &p) {
-                  return exact.displacement(p)[d];
+                component.value = {[exact, d](const FacePoint<2> &p) {
+                  return exact.displacement(p.x)[d];
                 }};
               }
           }

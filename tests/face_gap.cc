@@ -30,7 +30,7 @@ namespace
     const FaceCorners<3> face = {
       {Point<3>(0., 0., 0.), Point<3>(1., 0.1, 0.2), Point<3>(0.2, 0.9, 0.1)}};
     double outside = 0., farthest = 0.;
-    for (const auto &triangle : FaceGap<3>(gap, face).small_simplices())
+    for (const auto &triangle : FaceGap<3>(gap, face).small_simplices)
       for (const std::array<double, 3> inside :
            {std::array<double, 3>{{1., 0., 0.}},
             std::array<double, 3>{{0.5, 0.25, 0.25}},

@@ -137,8 +137,8 @@ namespace SectionBody
           for (unsigned int d = 0; d < 2; ++d)
             body.conditions[s].components[d] = {Point<2>::unit_vector(d),
                                                 ConditionType::traction,
-                                                {[load_d =
-                                                    load[d]](const Point<2> &) {
+                                                {[load_d = load[d]](
+                                                   const FacePoint<2> &) {
                                                   return load_d;
                                                 }}};
         }

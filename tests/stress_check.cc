@@ -69,7 +69,10 @@ namespace
                                   Kinematics::plane_stress);
     for (unsigned int s = 0; s < body.mesh.faces.size(); ++s)
       if (body.mesh.faces[s].boundary_id == names.at("right"))
-        body.conditions[s].components[0].value = {load};
+        body.conditions[s].components[0].value = {
+          [load](const FacePoint<2> &point) {
+            return load(point.x);
+          }};
     return body;
   }
 

@@ -38,44 +38,23 @@ namespace ElastoPlastic
 
 
 
-  /// A given traction or displacement on a face: in the plane any function of
-  /// the position, zero if there is none; in space a linear one.
+  /// A given traction or displacement on a face, zero if there is none: in the
+  /// plane any function of the position, in space a linear one.
   template <int dim>
-  struct FaceValue;
-
-  template <>
-  struct FaceValue<2>
+  struct FaceValue
   {
-    std::function<double(const Point<2> &)> function;
+    std::function<double(const FacePoint<dim> &)> function;
 
     double
-    operator()(const FacePoint<2> &point) const
+    operator()(const FacePoint<dim> &point) const
     {
-      return function ? function(point.x) : 0.;
+      return function ? function(point) : 0.;
     }
 
     bool
     is_zero() const
     {
       return !function;
-    }
-  };
-
-  template <>
-  struct FaceValue<3>
-  {
-    std::array<double, 3> at_corners = {};
-
-    double
-    operator()(const FacePoint<3> &point) const
-    {
-      return interpolate(point.position, at_corners);
-    }
-
-    bool
-    is_zero() const
-    {
-      return at_corners == std::array<double, 3>();
     }
   };
 

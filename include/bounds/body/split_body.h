@@ -143,6 +143,17 @@ namespace ElastoPlastic
       return is_axisymmetric() ? x[0] : 1.;
     }
 
+    /// The same at several corners.
+    template <std::size_t n>
+    std::array<double, n>
+    weights(const std::array<Point<dim>, n> &corners) const
+    {
+      std::array<double, n> result;
+      for (unsigned int i = 0; i < n; ++i)
+        result[i] = weight(corners[i]);
+      return result;
+    }
+
     /// A typical value of it.
     double
     weight_unit() const

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bounds/conic/conic_program.h"
+#include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
 {
@@ -31,19 +32,24 @@ namespace ElastoPlastic
       : n_functions(n_functions)
     {}
 
-    /// Adds limit |w (e - e_0)|: the components of e are @p n_rows of @p rates
-    /// from @p begin on, w is the @p weight. All components of e_0 are @p
-    /// offset.
+    /// Whether nothing has been added.
+    bool
+    empty() const
+    {
+      return costs.empty();
+    }
+
+    /// Adds limit |w e|: the components of e are @p n_rows of @p rates from
+    /// @p begin on, w is the @p weight.
     void
     add_norm(const FullMatrix<double> &rates,
              const unsigned int        begin,
              const unsigned int        n_rows,
              const double              weight,
-             const double              limit,
-             const double              offset = 0.)
+             const double              limit)
     {
       for (unsigned int i = begin; i < begin + n_rows; ++i)
-        add_unknown(rates, i, weight, weight * offset);
+        add_unknown(rates, i, weight, 0.);
       cones.push_back({n_rows, limit});
     }
 
@@ -58,8 +64,18 @@ namespace ElastoPlastic
       cones.push_back({0, 0.});
     }
 
+    /// Adds the condition that a @p row of @p rates is zero. Must come last.
+    void
+    require_zero(const FullMatrix<double> &rates,
+                 const unsigned int        row,
+                 const double              weight)
+    {
+      add_unknown(rates, row, weight, 0.);
+    }
+
     /// The block, with the equations of the local functions, which may
-    /// share some; invalid_unsigned_int for functions that vanish.
+    /// share some; invalid_unsigned_int for functions that vanish. Those
+    /// without any power are left out.
     ConicBlock
     make(const std::vector<unsigned int> &equations) const
     {
@@ -68,6 +84,7 @@ namespace ElastoPlastic
       add_cones(block);
 
       std::map<unsigned int, Vector<double>> rows;
+      double                                 largest = 0;
       for (unsigned int f = 0; f < n_functions; ++f)
         if (equations[f] != numbers::invalid_unsigned_int)
           {
@@ -75,9 +92,11 @@ namespace ElastoPlastic
               rows.try_emplace(equations[f], costs.size()).first->second;
             for (unsigned int i = 0; i < costs.size(); ++i)
               row[i] += powers[i][f];
+            largest = std::max(largest, row.linfty_norm());
           }
       for (const auto &[equation, row] : rows)
-        block.add_to_equation(equation, row);
+        if (row.linfty_norm() > Tolerance::power * largest)
+          block.add_to_equation(equation, row);
       return block;
     }
 

@@ -109,6 +109,10 @@ namespace ElastoPlastic::Tolerance
   /// kernels spoils. Those of the forces count as stresses on small sides.
   constexpr double primal_equations = 1e-13, dual_equations = 1e-10;
 
+  /// Of the powers of a function in a block, relative to the largest of all:
+  /// below, the function vanishes there but for rounding errors.
+  constexpr double power = 1e-13;
+
   /// Slacks outside their cones by less, relative to their expected size, count
   /// as inside: less than what the yield condition is checked to
   /// (admissibility).

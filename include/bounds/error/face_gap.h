@@ -12,18 +12,6 @@
 
 namespace ElastoPlastic
 {
-  /// The gap g between a face and the indenter, enclosed by two functions,
-  ///   lower <= g <= upper,
-  /// that are linear on many small simplices of the face.
-  ///
-  /// If g is convex, this is certain. Of other functions it is true if they
-  /// change between convex and concave at no more than some of the small
-  /// simplices.
-  template <int dim>
-  class FaceGap;
-
-
-
   /// A part of a face on which the bounds of the gap are linear.
   template <int dim>
   struct SmallSimplex
@@ -38,107 +26,53 @@ namespace ElastoPlastic
 
 
 
+  /// The gap g between a face and the indenter, enclosed by two functions,
+  ///   lower <= g <= upper,
+  /// that are linear on many small simplices of the face.
+  ///
+  /// If g is convex, this is certain. Of other functions it is true if they
+  /// change between convex and concave at no more than some of the small
+  /// simplices.
+  ///
   /// On a side, the bounds join values at equidistant points of the part that
   /// the indenter reaches, all less the same distance, or more. A convex
   /// function does not exceed its chords, and between two points it is not
   /// below the continuations of the chords beside them.
-  template <>
-  class FaceGap<2>
-  {
-  public:
-    /// In so many intervals is the reached part divided.
-    static constexpr unsigned int n_intervals = 1024;
-
-    /// @p gap is infinite where the indenter does not reach, which must not be
-    /// between two points that it does.
-    FaceGap(const std::function<double(const Point<2> &)> &gap,
-            const FaceCorners<2>                          &corners);
-
-    std::vector<SmallSimplex<2>>
-    small_simplices() const;
-
-    /// At an end of the side; infinite if it is more than rounding away from
-    /// what the indenter reaches.
-    double
-    lower_at_corner(const unsigned int corner) const;
-
-  private:
-    /// One of the points, as a position between the ends of the side.
-    double
-    position(const unsigned int i) const
-    {
-      return begin + (end - begin) * i / n_intervals;
-    }
-
-    double              begin = 0, end = 1; ///< of what the indenter reaches
-    std::vector<double> values; ///< g at the n_intervals + 1 points, or empty
-    double              below = 0, above = 0;
-  };
-
-
-
+  ///
   /// On a triangle, the small ones are those of a regular lattice. A convex
   /// function does not exceed the linear function between its values at the
   /// corners of a small triangle, and what that function becomes in the point
   /// reflection about a lattice point c encloses it from below, g(x) >= 2 g(c)
   /// - g(2c - x). The best of some c is taken.
-  template <>
-  class FaceGap<3>
+  template <int dim>
+  struct FaceGap
   {
-  public:
-    /// So many small triangles are there along an edge.
-    static constexpr int n_intervals = 32;
+    /// In so many intervals is the reached part of a side divided, or an edge
+    /// of a triangle.
+    static constexpr int n_intervals = dim == 2 ? 1024 : 32;
 
-    /// @p gap is infinite where the indenter does not reach; it is evaluated in
-    /// the plane of the face, beyond its edges, too.
-    /// @throws ConvergenceError if the indenter reaches so little of the face
-    /// that nothing bounds the gap from below.
-    FaceGap(const std::function<double(const Point<3> &)> &gap,
-            const FaceCorners<3>                          &corners);
+    /// @p gap is infinite where the indenter does not reach, which on a side
+    /// must not be between two points that it does; in space, it is evaluated
+    /// in the plane of the face, beyond its edges, too.
+    /// @throws ConvergenceError if the indenter reaches so little of a face in
+    /// space that nothing bounds the gap from below.
+    FaceGap(const std::function<double(const Point<dim> &)> &gap,
+            const FaceCorners<dim>                          &corners);
 
-    /// All, n_intervals^2.
-    std::vector<SmallSimplex<3>>
-    small_simplices() const;
+    /// All of the reached part of a side, or all n_intervals^2 of a triangle.
+    std::vector<SmallSimplex<dim>> small_simplices;
 
-    /// At a corner of the face.
-    double
-    lower_at_corner(const unsigned int corner) const
-    {
-      return lower[index(
-        {corner == 1 ? n_intervals : 0, corner == 2 ? n_intervals : 0})];
-    }
-
-  private:
-    /// A point of the lattice: so many steps to corner 1 and to corner 2.
-    struct LatticePoint
-    {
-      int i, j;
-    };
-
-    using Values = std::vector<double>;
-
-    /// How many steps beyond the face g is known.
-    static constexpr int margin = 5;
-
-    /// Of the arrays of values.
-    static std::size_t
-    index(const LatticePoint &point)
-    {
-      return (n_intervals + 2 * margin + 1) * (margin + point.i) + margin +
-             point.j;
-    }
-
-    /// Runs @p action on the corners of all small triangles.
-    template <typename Action>
-    static void
-    for_small_triangles(const Action &action);
-
-    /// Encloses g on a small triangle.
-    void
-    enclose(const std::array<LatticePoint, 3> &corners);
-
-    Values gap, lower, upper;
+    /// At a corner of the face; infinite if it is more than rounding away from
+    /// what the indenter reaches.
+    std::array<double, dim> lower_at_corners;
   };
+
+  template <>
+  FaceGap<2>::FaceGap(const std::function<double(const Point<2> &)> &gap,
+                      const FaceCorners<2>                          &corners);
+  template <>
+  FaceGap<3>::FaceGap(const std::function<double(const Point<3> &)> &gap,
+                      const FaceCorners<3>                          &corners);
 } // namespace ElastoPlastic
 
 #endif

@@ -4,11 +4,10 @@
 #ifndef bounds_mechanism_continuous_velocities_h
 #define bounds_mechanism_continuous_velocities_h
 
-#include <memory>
 #include <vector>
 
 #include "bounds/body/split_body.h"
-#include "bounds/mechanism/velocity_field.h"
+#include "bounds/mechanism/velocity_basis.h"
 
 namespace ElastoPlastic
 {
@@ -25,16 +24,8 @@ namespace ElastoPlastic
 
 
 
-  /// One of the functions that velocities are combined of, on a simplex.
-  template <int dim>
-  struct VelocityFunction
-  {
-    unsigned int         number; ///< among those of the whole body
-    SimplexVelocity<dim> velocity;
-  };
-
-  /// A basis of continuous velocities that may change the volume. They are zero
-  /// at supports, see free_directions_of_nodes().
+  /// Continuous velocities that may change the volume. They are zero at
+  /// supports, see free_directions_of_nodes().
   ///
   /// In the plane and in space, they are quadratic on each simplex, and the
   /// strain rate is linear. In a body of revolution, v_r = (r / L) w with a
@@ -44,42 +35,12 @@ namespace ElastoPlastic
   /// v_r = -r d_z chi and v_z = 2 chi + r d_r chi with a cubic chi, are among
   /// them: so they are not lost as the angle of friction tends to zero.
   template <int dim>
-  class ContinuousVelocities
-  {
-  public:
-    virtual ~ContinuousVelocities() = default;
-
-    /// On the whole body.
-    virtual unsigned int
-    n_functions() const = 0;
-
-    /// Those that do not vanish on a @p simplex.
-    virtual std::vector<VelocityFunction<dim>>
-    functions_of(const unsigned int simplex) const = 0;
-
-    /// Of the strain rate as a polynomial on a simplex.
-    const unsigned int rate_degree;
-    /// Of the vertical velocity as a polynomial on a face.
-    const unsigned int trace_degree;
-
-  protected:
-    ContinuousVelocities(const unsigned int rate_degree,
-                         const unsigned int trace_degree)
-      : rate_degree(rate_degree)
-      , trace_degree(trace_degree)
-    {}
-  };
-
-
-
-  /// Those of a @p body, which must live as long as the result.
-  template <int dim>
-  std::unique_ptr<ContinuousVelocities<dim>>
-  make_continuous_velocities(const SplitBody<dim> &body);
+  VelocityBasis<dim>
+  continuous_velocities(const SplitBody<dim> &body);
 
   /// Those of a body of revolution.
-  std::unique_ptr<ContinuousVelocities<2>>
-  make_revolution_velocities(const SplitBody<2> &body);
+  VelocityBasis<2>
+  revolution_velocities(const SplitBody<2> &body);
 } // namespace ElastoPlastic
 
 #endif

@@ -100,6 +100,52 @@ namespace ElastoPlastic
       views.emplace_back(body, f);
     return views;
   }
+
+
+
+  /// A force at a point of a simplex, and what a load factor adds to it.
+  template <int dim>
+  struct ForceAtPoint
+  {
+    Barycentric<dim> point;
+    Tensor<1, dim>   constant;
+    Tensor<1, dim>   growing;
+  };
+
+  /// Forces whose power in weighted_velocity(), times SplitBody::angle(), is
+  /// that of the given tractions on the faces of a simplex and of the body
+  /// force in it. (In the plane, weighted velocities are polynomials of degree
+  /// 4, for which that is exact, up to tractions of degree 5.)
+  template <int dim>
+  std::vector<ForceAtPoint<dim>>
+  forces_on(const SplitBody<dim> &body, const unsigned int simplex)
+  {
+    std::vector<ForceAtPoint<dim>> forces;
+    for (const unsigned int f : body.mesh.simplices[simplex].faces)
+      for (const auto &[direction, type, value, live_load] :
+           body.conditions[f].components)
+        if (type == ConditionType::traction &&
+            !(value.is_zero() && live_load.is_zero()))
+          {
+            const FaceView<dim> view(body, f);
+            integrate_on_face<dim>(
+              view.corners,
+              [&](const FacePoint<dim> &point, const double weight) {
+                const Tensor<1, dim> unit = weight * view.area * direction;
+                forces.push_back({view.point(point.position),
+                                  value(point) * unit,
+                                  live_load(point) * unit});
+              });
+          }
+    if (body.body_force.norm() + body.live_body_force.norm() > 0.)
+      for (const auto &[point, weight] : simplex_quadrature<dim>())
+        {
+          const double size = weight * volume(body.corners_of(simplex));
+          forces.push_back(
+            {point, size * body.body_force, size * body.live_body_force});
+        }
+    return forces;
+  }
 } // namespace ElastoPlastic
 
 #endif

@@ -57,34 +57,11 @@ namespace ElastoPlastic
     WeightedRates
     rates() const;
 
-    /// The coefficients of the velocity in a @p direction on side @p k,
-    /// weighted, in Bernstein's basis of the side.
-    FullMatrix<double>
-    velocities_on_side(const unsigned int  k,
-                       const Tensor<1, 2> &direction) const;
-
-    /// The same without (0, 2 chi), which is continuous, less a velocity of the
-    /// side itself, a quadratic polynomial times the square of the weight. Nine
-    /// more columns belong to those of the three sides, from end to end as the
-    /// triangle goes round.
-    FullMatrix<double>
-    slips_on_side(const unsigned int k, const Tensor<1, 2> &direction) const;
-
-    /// The coefficients of the weight itself.
-    std::vector<double>
-    weights_on_side(const unsigned int k) const;
-
   private:
-    /// Those of a @p function of the points of the triangle.
-    template <typename Function>
-    std::vector<double>
-    coefficients_on_side(const unsigned int k, const Function &function) const;
-
     const SplitBody<2> &body;
     const unsigned int  triangle;
     const Corners<2>    corners;
     const bool          has_flux;
-    const unsigned int  side_degree; ///< of the polynomials on sides
   };
 } // namespace ElastoPlastic
 

@@ -4,7 +4,6 @@
 #ifndef bounds_mechanism_velocity_program_h
 #define bounds_mechanism_velocity_program_h
 
-#include "bounds/conic/conic_program.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/mechanism/velocity_field.h"
 
@@ -25,34 +24,17 @@ namespace ElastoPlastic
 
 
 
-  /// What a program of a mechanism says of it, but for the velocities: the
-  /// bound is what has been minimised.
-  template <int dim>
-  VelocityField<dim>
-  field_of(const SplitBody<dim> &body, const ConicSolution &solution)
-  {
-    VelocityField<dim> field;
-    field.bound =
-      -solution.cost *
-      (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
-    field.n_iterations = solution.n_iterations;
-    field.is_optimal   = solution.is_optimal;
-    return field;
-  }
-
+  // The programs of these mechanisms, see velocity_basis.h and field_of()
+  // there. All throw a ConvergenceError, and UnboundedError if there is no
+  // mechanism.
 
 
   /// The mechanism in space, without friction, that takes least plastic work
   /// among velocities that are linear on each tetrahedron and change no volume.
   /// Their normal components are continuous (the element of Brezzi, Douglas and
-  /// Marini
-  /// @cite nedelec_1986); neighbours may slide along each other, which takes
-  /// the work k |[v_t]| per area. So they may along fixed faces and along a
-  /// rough indenter.
-  ///
-  /// Velocities are up to a factor, and almost without divergence. The force is
-  /// what has been minimised; work and errors are not yet computed.
-  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
+  /// Marini @cite nedelec_1986); neighbours may slide along each other, which
+  /// takes the work k |[v_t]| per area. So they may along fixed faces and along
+  /// a rough indenter.
   VelocityField<3>
   find_flux(const SplitBody<3> &body, const double tolerance);
 
@@ -64,25 +46,17 @@ namespace ElastoPlastic
   /// triangles; but they may slide along each other, which takes the work k
   /// |[v_t]| per area, with the yield stress in shear k of the weaker material.
   /// So they may along fixed sides and along a rough indenter.
-  ///
-  /// Velocities are up to a factor. The force is what has been minimised; work
-  /// and errors are not yet computed.
-  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   VelocityField<2>
   find_stream(const SplitBody<2> &body, const double tolerance);
 
 
 
   /// The mechanism in plane stress, or with friction in any other body, that
-  /// takes least plastic work among all ContinuousVelocities. The strain rate
-  /// is a polynomial on a simplex: so the work is at most that of its
+  /// takes least plastic work among all continuous_velocities(). The strain
+  /// rate is a polynomial on a simplex: so the work is at most that of its
   /// coefficients in Bernstein's basis, because it is a convex function; and
   /// with friction, the rate is in the dual cone of the yield condition
   /// everywhere because its coefficients are.
-  ///
-  /// Velocities are up to a factor. The force is what has been minimised; work
-  /// and errors are not yet computed.
-  /// @throws ConvergenceError, UnboundedError if there is no mechanism.
   template <int dim>
   VelocityField<dim>
   find_continuous_motion(const SplitBody<dim> &body, const double tolerance);

@@ -72,6 +72,13 @@ namespace ElastoPlastic
     static FullMatrix<double>
     mass_matrix(const unsigned int degree);
 
+    /// The integrals of all functions of a @p degree times the linear function
+    /// with these @p values at the corners, relative to the size of the
+    /// simplex.
+    static std::vector<double>
+    moments(const unsigned int                 degree,
+            const std::array<double, dim + 1> &values);
+
     /// The coefficients of the polynomial of a @p degree that is
     /// function(point) at the points().
     template <typename Function>
@@ -147,16 +154,6 @@ namespace ElastoPlastic
       return exponents;
     }
   };
-
-
-
-  constexpr unsigned int n_quadratics = Bernstein<2>::n_functions(2),
-                         n_cubics     = Bernstein<2>::n_functions(3);
-
-  /// The integrals of the quadratic functions times a linear function with
-  /// these @p values at the corners, over a triangle of area 1.
-  std::array<double, n_quadratics>
-  quadratic_moments(const std::array<double, 3> &values);
 } // namespace ElastoPlastic
 
 #endif

@@ -89,28 +89,28 @@ namespace ElastoPlastic
     value_on_face(const FaceCorners<2>                          &corners,
                   const std::function<double(const Point<2> &)> &function)
     {
-      return {[function, centre = centre_of(corners)](const Point<2> &x) {
-        return function(from_inside(x, centre));
-      }};
+      return {
+        [function, centre = centre_of(corners)](const FacePoint<2> &point) {
+          return function(from_inside(point.x, centre));
+        }};
     }
 
 
 
-    /// Whether @p function is what the linear @p value says, neither at the
-    /// points of a regular mesh, nor of one that is finer.
+    /// Whether @p function is the linear one with these values at the corners,
+    /// at points that are neither those of a regular mesh nor of a finer one.
     bool
     is_linear(const FaceCorners<3>                          &corners,
-              const FaceValue<3>                            &value,
+              const std::array<double, 3>                   &at_corners,
               const std::function<double(const Point<3> &)> &function)
     {
       double largest = 0;
-      for (const double at_corner : value.at_corners)
+      for (const double at_corner : at_corners)
         keep_largest(largest, std::abs(at_corner));
       for (const auto &[position, weight] : points_over_face<3>())
         {
-          const auto   point = point_on_face<3>(corners, position);
-          const double exact = function(point.x);
-          if (!(std::abs(exact - value(point)) <=
+          const double exact = function(point_on_face<3>(corners, position).x);
+          if (!(std::abs(exact - interpolate(position, at_corners)) <=
                 Tolerance::expression * std::max(largest, std::abs(exact))))
             return false;
         }
@@ -125,17 +125,19 @@ namespace ElastoPlastic
                   const std::function<double(const Point<3> &)> &function)
     {
       const Point<3> centre = centre_of(corners);
-      FaceValue<3>   values, values_inside;
-      for (unsigned int i = 0; i < 3; ++i)
+      for (const bool is_inside : {false, true})
         {
-          values.at_corners[i] = function(corners[i]);
-          values_inside.at_corners[i] =
-            function(from_inside(corners[i], centre));
+          std::array<double, 3> at_corners;
+          for (unsigned int i = 0; i < 3; ++i)
+            at_corners[i] = function(
+              is_inside ? from_inside(corners[i], centre) : corners[i]);
+          if (is_linear(corners, at_corners, function))
+            return at_corners == std::array<double, 3>() ?
+                     FaceValue<3>() :
+                     FaceValue<3>{[at_corners](const FacePoint<3> &point) {
+                       return interpolate(point.position, at_corners);
+                     }};
         }
-      if (is_linear(corners, values, function))
-        return values;
-      if (is_linear(corners, values_inside, function))
-        return values_inside;
       throw InputError(
         "A traction or displacement of 'Boundary conditions' is not linear on "
         "the faces of the mesh, near the point (" +

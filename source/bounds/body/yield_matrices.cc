@@ -228,5 +228,7 @@ namespace ElastoPlastic
   template FullMatrix<double>
   slip_factor(const SplitBody<3> &, const unsigned int, const unsigned int);
   template FullMatrix<double>
+  slip_factor(const SplitBody<2> &, const unsigned int);
+  template FullMatrix<double>
   slip_factor(const SplitBody<3> &, const unsigned int);
 } // namespace ElastoPlastic

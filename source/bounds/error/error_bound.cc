@@ -183,12 +183,11 @@ namespace ElastoPlastic
     {
       const auto              corners = body.corners_of_face(f);
       const auto              v = displacement.values_on_face(body.mesh, f);
-      std::array<double, dim> weighted;
+      std::array<double, dim> weighted = body.weights(corners);
       for (unsigned int i = 0; i < dim; ++i)
-        weighted[i] = body.weight(corners[i]) * pressure[i];
+        weighted[i] *= pressure[i];
       double sum = 0;
-      for (const auto &small :
-           FaceGap<dim>(body.gap, corners).small_simplices())
+      for (const auto &small : FaceGap<dim>(body.gap, corners).small_simplices)
         for (const auto &[inside, weight] : simplex_quadrature<dim - 1>())
           {
             const auto position = interpolate(inside, small.corners);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -29,16 +30,22 @@ namespace ElastoPlastic
 
 
 
+  template <>
   FaceGap<2>::FaceGap(const std::function<double(const Point<2> &)> &gap,
                       const FaceCorners<2>                          &corners)
   {
+    lower_at_corners.fill(std::numeric_limits<double>::infinity());
+    double     begin = 0., end = 1.; // of what the indenter reaches
+    const auto position = [&](const int i) {
+      return begin + (end - begin) * i / n_intervals;
+    };
     const auto g = [&](const double t) {
       return gap(Point<2>(corners[0] + t * (corners[1] - corners[0])));
     };
     const auto is_finite = [&](const double t) {
       return std::isfinite(g(t));
     };
-    unsigned int first = 0, last = n_intervals;
+    int first = 0, last = n_intervals;
     while (first <= n_intervals && !is_finite(position(first)))
       ++first;
     if (first > n_intervals)
@@ -53,33 +60,28 @@ namespace ElastoPlastic
               last_finite(position(last), position(last + 1), is_finite);
     begin = left;
 
-    for (unsigned int i = 0; i <= n_intervals; ++i)
-      values.push_back(g(position(i)));
+    std::array<double, n_intervals + 1> values;
+    for (int i = 0; i <= n_intervals; ++i)
+      values[i] = g(position(i));
 
     // The chord before an interval, continued to its end, is below the value
     // there by the second difference at its beginning, and vice versa.
-    const auto bend = [this](const unsigned int i) {
+    const auto bend = [&](const int i) {
       return values[i - 1] - 2. * values[i] + values[i + 1];
     };
-    for (unsigned int i = 0; i < n_intervals; ++i)
+    double below = 0, above = 0;
+    for (int i = 0; i < n_intervals; ++i)
       {
-        const double before = bend(std::max(i, 1u)),
+        const double before = bend(std::max(i, 1)),
                      after  = bend(std::min(i + 1, n_intervals - 1));
         below               = std::max(below, std::min(before, after));
         above               = std::max(above, -std::max(before, after));
       }
-  }
 
-
-
-  std::vector<SmallSimplex<2>>
-  FaceGap<2>::small_simplices() const
-  {
-    std::vector<SmallSimplex<2>> result;
-    for (unsigned int i = 0; i + 1 < values.size(); ++i)
+    for (int i = 0; i < n_intervals; ++i)
       {
-        SmallSimplex<2> interval;
-        for (unsigned int k = 0; k < 2; ++k)
+        SmallSimplex<2> &interval = small_simplices.emplace_back();
+        for (int k = 0; k < 2; ++k)
           {
             const double t      = position(i + k);
             interval.corners[k] = {{1. - t, t}};
@@ -87,20 +89,11 @@ namespace ElastoPlastic
             interval.upper[k]   = values[i + k] + above;
           }
         interval.part = position(i + 1) - position(i);
-        result.push_back(interval);
       }
-    return result;
-  }
-
-
-
-  double
-  FaceGap<2>::lower_at_corner(const unsigned int corner) const
-  {
     constexpr double rounding = 1. / n_intervals;
-    if (values.empty() ||
-        (corner == 0 ? begin >= rounding : end <= 1. - rounding))
-      return std::numeric_limits<double>::infinity();
-    return (corner == 0 ? values.front() : values.back()) - below;
+    if (begin < rounding)
+      lower_at_corners[0] = values.front() - below;
+    if (end > 1. - rounding)
+      lower_at_corners[1] = values.back() - below;
   }
 } // namespace ElastoPlastic

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <deal.II/base/table.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,113 +21,130 @@ namespace ElastoPlastic
     {
       return values[0] + values[1] + values[2];
     }
+
+
+
+    /// How many steps beyond the corner 0 of the face its lattice begins, and
+    /// beyond the opposite edge it ends.
+    constexpr unsigned int margin = 5;
+
+    constexpr unsigned int n_steps = FaceGap<3>::n_intervals,
+                           width   = n_steps + 2 * margin + 1;
+
+    /// How many steps to corner 1 and to corner 2.
+    using LatticePoint  = dealii::TableIndices<2>;
+    using LatticeValues = dealii::Table<2, double>;
+    using SmallTriangle = std::array<LatticePoint, 3>;
+
+    std::vector<SmallTriangle>
+    all_small_triangles()
+    {
+      std::vector<SmallTriangle> triangles;
+      for (unsigned int i = margin; i < margin + n_steps; ++i)
+        for (unsigned int j = margin; i + j < 2 * margin + n_steps; ++j)
+          {
+            triangles.push_back({{{i, j}, {i + 1, j}, {i, j + 1}}});
+            if (i + j + 1 < 2 * margin + n_steps)
+              triangles.push_back({{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}});
+          }
+      return triangles;
+    }
+
+
+
+    // The bounds at a lattice point must do for all small triangles around it.
+    void
+    enclose(LatticeValues       &lower,
+            LatticeValues       &upper,
+            const LatticeValues &gap,
+            const SmallTriangle &corners)
+    {
+      constexpr unsigned int distance = 2; // of c
+      std::array<double, 3>  values, below, above;
+      for (unsigned int k = 0; k < 3; ++k)
+        values[k] = gap(corners[k]);
+      below = {{-infinity, -infinity, -infinity}};
+      above = values;
+
+      bool              is_first = true;
+      const std::size_t x = corners[0][0], y = corners[0][1];
+      for (unsigned int i = x - distance; i <= x + distance; ++i)
+        for (unsigned int j = y - distance; j <= y + distance; ++j)
+          {
+            std::array<double, 3> reflected, low, high;
+            for (unsigned int k = 0; k < 3; ++k)
+              {
+                const LatticePoint mirrored = {2 * i - corners[k][0],
+                                               2 * j - corners[k][1]};
+                reflected[k]                = 2. * gap(i, j) - gap(mirrored);
+                low[k]                      = std::min(values[k], reflected[k]);
+                high[k]                     = std::max(values[k], reflected[k]);
+              }
+            if (!std::isfinite(sum(reflected)))
+              continue; // c or a mirror image is out of reach
+            if (is_first || sum(low) > sum(below))
+              below = low;
+            if (is_first || sum(high) < sum(above))
+              above = high;
+            is_first = false;
+          }
+
+      const bool is_touched =
+        std::any_of(values.begin(), values.end(), [](const double value) {
+          return std::isfinite(value);
+        });
+      if (is_first && is_touched)
+        throw ConvergenceError(
+          "The indenter reaches a small part of a face of the mesh only, where "
+          "the gap cannot be bounded. Change the mesh, or 'Indenter/Reach'.");
+      for (unsigned int k = 0; k < 3; ++k)
+        {
+          double &low = lower(corners[k]), &high = upper(corners[k]);
+          if (!is_first)
+            low = std::min(low, below[k]);
+          high = std::max(high, above[k]);
+        }
+    }
   } // namespace
 
 
 
+  template <>
   FaceGap<3>::FaceGap(const std::function<double(const Point<3> &)> &g,
                       const FaceCorners<3>                          &corners)
   {
-    constexpr int      width  = n_intervals + 2 * margin + 1;
-    const Tensor<1, 3> first  = (corners[1] - corners[0]) / n_intervals,
-                       second = (corners[2] - corners[0]) / n_intervals;
-    gap.assign(width * width, infinity);
-    lower.assign(width * width, infinity);
-    upper.assign(width * width, -infinity);
-    for (int i = -margin; i <= n_intervals + margin; ++i)
-      for (int j = -margin; j <= n_intervals + margin; ++j)
-        if (i + j <= n_intervals + margin)
-          gap[index({i, j})] = g(corners[0] + i * first + j * second);
-    for_small_triangles([this](const auto &triangle) { enclose(triangle); });
-  }
+    static const auto triangles = all_small_triangles();
 
+    const auto steps = [](const LatticePoint &point, const unsigned int d) {
+      return (double(point[d]) - margin) / n_steps;
+    };
+    LatticeValues gap(width, width), lower(width, width), upper(width, width);
+    gap.fill(infinity);
+    lower.fill(infinity);
+    upper.fill(-infinity);
+    for (unsigned int i = 0; i < width; ++i)
+      for (unsigned int j = 0; j < width && i + j < margin + width; ++j)
+        gap(i, j) =
+          g(corners[0] + steps({i, j}, 0) * (corners[1] - corners[0]) +
+            steps({i, j}, 1) * (corners[2] - corners[0]));
+    for (const SmallTriangle &triangle : triangles)
+      enclose(lower, upper, gap, triangle);
 
-
-  template <typename Action>
-  void
-  FaceGap<3>::for_small_triangles(const Action &action)
-  {
-    using Corners = std::array<LatticePoint, 3>;
-    for (int i = 0; i < n_intervals; ++i)
-      for (int j = 0; i + j < n_intervals; ++j)
-        {
-          action(Corners{{{i, j}, {i + 1, j}, {i, j + 1}}});
-          if (i + j + 1 < n_intervals)
-            action(Corners{{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}});
-        }
-  }
-
-
-
-  // The bounds at a lattice point must do for all small triangles around it.
-  void
-  FaceGap<3>::enclose(const std::array<LatticePoint, 3> &corners)
-  {
-    constexpr int         distance = 2; // of c
-    std::array<double, 3> values, below, above;
-    for (unsigned int k = 0; k < 3; ++k)
-      values[k] = gap[index(corners[k])];
-    below = {{-infinity, -infinity, -infinity}};
-    above = values;
-
-    bool is_first = true;
-    for (int i = corners[0].i - distance; i <= corners[0].i + distance; ++i)
-      for (int j = corners[0].j - distance; j <= corners[0].j + distance; ++j)
-        {
-          std::array<double, 3> reflected, low, high;
-          for (unsigned int k = 0; k < 3; ++k)
-            {
-              const LatticePoint mirrored = {2 * i - corners[k].i,
-                                             2 * j - corners[k].j};
-              reflected[k] = 2. * gap[index({i, j})] - gap[index(mirrored)];
-              low[k]       = std::min(values[k], reflected[k]);
-              high[k]      = std::max(values[k], reflected[k]);
-            }
-          if (!std::isfinite(sum(reflected)))
-            continue; // c or a mirror image is out of reach
-          if (is_first || sum(low) > sum(below))
-            below = low;
-          if (is_first || sum(high) < sum(above))
-            above = high;
-          is_first = false;
-        }
-
-    const bool is_touched =
-      std::any_of(values.begin(), values.end(), [](const double value) {
-        return std::isfinite(value);
-      });
-    if (is_first && is_touched)
-      throw ConvergenceError(
-        "The indenter reaches a small part of a face of the mesh only, where "
-        "the gap cannot be bounded. Change the mesh, or 'Indenter/Reach'.");
-    for (unsigned int k = 0; k < 3; ++k)
+    for (const SmallTriangle &points : triangles)
       {
-        const std::size_t n = index(corners[k]);
-        if (!is_first)
-          lower[n] = std::min(lower[n], below[k]);
-        upper[n] = std::max(upper[n], above[k]);
+        SmallSimplex<3> &triangle = small_simplices.emplace_back();
+        triangle.part             = 1. / (n_steps * n_steps);
+        for (unsigned int k = 0; k < 3; ++k)
+          {
+            const double first  = steps(points[k], 0),
+                         second = steps(points[k], 1);
+            triangle.corners[k] = {{1. - first - second, first, second}};
+            triangle.lower[k]   = lower(points[k]);
+            triangle.upper[k]   = upper(points[k]);
+          }
       }
-  }
-
-
-
-  std::vector<SmallSimplex<3>>
-  FaceGap<3>::small_simplices() const
-  {
-    std::vector<SmallSimplex<3>> result;
-    for_small_triangles([&](const std::array<LatticePoint, 3> &points) {
-      SmallSimplex<3> triangle;
-      triangle.part = 1. / (n_intervals * n_intervals);
-      for (unsigned int k = 0; k < 3; ++k)
-        {
-          const double first  = points[k].i / double(n_intervals),
-                       second = points[k].j / double(n_intervals);
-          triangle.corners[k] = {{1. - first - second, first, second}};
-          triangle.lower[k]   = lower[index(points[k])];
-          triangle.upper[k]   = upper[index(points[k])];
-        }
-      result.push_back(triangle);
-    });
-    return result;
+    constexpr unsigned int end = margin + n_steps;
+    lower_at_corners           = {
+                {lower(margin, margin), lower(end, margin), lower(margin, end)}};
   }
 } // namespace ElastoPlastic

@@ -29,7 +29,7 @@ namespace ElastoPlastic
     {
       const double a = v.at_corners[0][1], b = v.at_corners[1][1];
       double       ratio = std::numeric_limits<double>::max();
-      for (const auto &interval : gap.small_simplices())
+      for (const auto &interval : gap.small_simplices)
         for (unsigned int i = 0; i < 2; ++i)
           if (const auto &[s, t] = interval.corners[i]; t > 0. && t < 1.)
             ratio = std::min(ratio,
@@ -68,7 +68,7 @@ namespace ElastoPlastic
                (l[0] * l[1] * b[0] + l[1] * l[2] * b[1] + l[2] * l[0] * b[2]);
       };
       double result = 0;
-      for (const auto &triangle : gap.small_simplices())
+      for (const auto &triangle : gap.small_simplices)
         for (unsigned int i = 0; i < 3; ++i)
           for (unsigned int j = i; j < 3; ++j)
             {
@@ -111,7 +111,7 @@ namespace ElastoPlastic
         {
           double &v =
             displacement.at_vertices[body.mesh.faces[f].vertices[i]][dim - 1];
-          v = std::min(v, gap.lower_at_corner(i) - depth);
+          v = std::min(v, gap.lower_at_corners[i] - depth);
         }
 
     std::vector<double> lowering(body.mesh.n_edges);

@@ -17,29 +17,6 @@ namespace ElastoPlastic
     template <int dim>
     constexpr unsigned int rate_degree = velocity_degree<dim> - 1;
 
-    template <int dim>
-    constexpr unsigned int
-      n_rates = Bernstein<dim>::n_functions(rate_degree<dim>);
-
-    /// The integrals of the functions times the weight of the body, over a
-    /// triangle of area 1; in space they are all the same.
-    std::array<double, n_rates<2>>
-    moments(const SplitBody<2> &body, const Corners<2> &corners)
-    {
-      std::array<double, 3> weights;
-      for (unsigned int i = 0; i < 3; ++i)
-        weights[i] = body.weight(corners[i]);
-      return quadratic_moments(weights);
-    }
-
-    std::array<double, n_rates<3>>
-    moments(const SplitBody<3> &, const Corners<3> &)
-    {
-      std::array<double, n_rates<3>> result;
-      result.fill(1. / n_rates<3>);
-      return result;
-    }
-
 
 
     /// The strain rates of a simplex.
@@ -55,15 +32,11 @@ namespace ElastoPlastic
         , t(t)
         , corners(body.corners_of(t))
         , slope(body.friction_slopes[t])
-      {
-        constexpr unsigned int degree = rate_degree<dim>;
-        for (unsigned int p = 0; p < n_rates<dim>; ++p)
-          {
-            const auto at_point = rate_at(Bernstein<dim>::points(degree)[p]);
-            for (unsigned int i = 0; i < n_rates<dim>; ++i)
-              rates[i] += Bernstein<dim>::coefficients(degree)(i, p) * at_point;
-          }
-      }
+        , rates(Bernstein<dim>::interpolate(rate_degree<dim>,
+                                            [this](const auto &point) {
+                                              return rate_at(point);
+                                            }))
+      {}
 
       double
       missing_dilatation() const
@@ -82,8 +55,9 @@ namespace ElastoPlastic
       double
       plastic_work() const
       {
-        const auto weights = moments(body, corners);
-        double     sum     = 0.;
+        const auto weights =
+          Bernstein<dim>::moments(rate_degree<dim>, body.weights(corners));
+        double sum = 0.;
         for (unsigned int i = 0; i < rates.size(); ++i)
           {
             const double shear = rate_of_shear(rates[i]);
@@ -150,13 +124,11 @@ namespace ElastoPlastic
         double largest = 0.;
         for (const auto &point : Bernstein<dim>::points(velocity_degree<dim>))
           {
-            const auto functions =
-              Bernstein<dim>::functions(rate_degree<dim>, point);
-            double rate = 0.;
-            for (unsigned int i = 0; i < rates.size(); ++i)
-              rate += functions[i] * rates[i][2][2];
-            const double v_r = velocity_at(body, velocity, t, point)[0];
-            const auto   x   = interpolate(point, corners);
+            const double rate = Bernstein<dim>::value(rate_degree<dim>,
+                                                      rates.begin(),
+                                                      point)[2][2];
+            const double v_r  = velocity_at(body, velocity, t, point)[0];
+            const auto   x    = interpolate(point, corners);
             keep_largest(largest,
                          body.is_on_axis(x) ? std::abs(v_r) :
                                               std::sqrt(volume(corners)) *
@@ -165,12 +137,12 @@ namespace ElastoPlastic
         return largest;
       }
 
-      const SplitBody<dim>                           &body;
-      const SimplexVelocity<dim>                     &velocity;
-      const unsigned int                              t;
-      const Corners<dim>                              corners;
-      const double                                    slope; ///< f
-      std::array<SymmetricTensor<2, 3>, n_rates<dim>> rates; ///< coefficients
+      const SplitBody<dim>                    &body;
+      const SimplexVelocity<dim>              &velocity;
+      const unsigned int                       t;
+      const Corners<dim>                       corners;
+      const double                             slope; ///< f
+      const std::vector<SymmetricTensor<2, 3>> rates; ///< coefficients
     };
   } // namespace
 

@@ -58,13 +58,14 @@ namespace ElastoPlastic
                      const SimplexVelocity<2> &velocity,
                      const Part<2>            &part)
     {
-      std::array<double, 3> weights, radii;
+      Corners<2>            of_part;
+      std::array<double, 3> radii;
       for (unsigned int i = 0; i < 3; ++i)
         {
-          const Point<2> corner = interpolate(part[i], corners);
-          radii[i]              = corner[0];
-          weights[i]            = body.weight(corner);
+          of_part[i] = interpolate(part[i], corners);
+          radii[i]   = of_part[i][0];
         }
+      const auto          weights  = body.weights(of_part);
       const bool          has_flux = velocity.flux.norm() > 0;
       const auto          of_flux  = weighted_flux_rate(velocity);
       const auto          ends = std::minmax({radii[0], radii[1], radii[2]});
@@ -81,8 +82,8 @@ namespace ElastoPlastic
       if (has_flux)
         sum += (weights[0] + weights[1] + weights[2]) / 3. *
                inverse_square.error() * norm(rate_in_space(body, of_flux));
-      const auto moments = quadratic_moments(weights);
-      for (unsigned int p = 0; p < n_quadratics; ++p)
+      const auto moments = Bernstein<2>::moments(2, weights);
+      for (unsigned int p = 0; p < rates.size(); ++p)
         sum += moments[p] * norm(rate_in_space(body, rates[p]));
       return volume(corners) / (n_side_parts * n_side_parts) * sum;
     }

@@ -63,14 +63,13 @@ namespace ElastoPlastic
     /// an oblique side that is closed, with the direction (d_r, d_z), v_z is
     /// d_z / d_r v_r = d_z / d_r (r / L) w, which is cubic: there, one unknown
     /// is the coefficient of w over d_r, and those of v_z follow.
-    class RevolutionVelocities : public ContinuousVelocities<2>
+    class RevolutionVelocities
     {
     public:
       // A side has one coefficient of w and two of v_z that are not those of
       // its ends, a triangle one of v_z.
       explicit RevolutionVelocities(const SplitBody<2> &body)
-        : ContinuousVelocities<2>(/* rate_degree = */ 2, /* trace_degree = */ 3)
-        , mesh(body.mesh)
+        : mesh(body.mesh)
         , length_unit(body.length_unit)
       {
         for (const auto &directions : free_directions_of_nodes(body))
@@ -84,26 +83,24 @@ namespace ElastoPlastic
         n += mesh.simplices.size();
       }
 
-      unsigned int
-      n_functions() const override
+      VelocityBasis<2>
+      basis() const
       {
-        return n;
-      }
+        VelocityBasis<2> basis = {n, {}};
+        for (unsigned int t = 0; t < mesh.simplices.size(); ++t)
+          {
+            Functions functions;
+            for (unsigned int i = 0; i < 3; ++i)
+              add_corner(functions, t, i);
+            for (unsigned int e = 0; e < 3; ++e)
+              add_side(functions, t, e);
+            add_axial(functions[first_inside + t], {{1, 1, 1}}, 1.);
 
-      std::vector<VelocityFunction<2>>
-      functions_of(const unsigned int t) const override
-      {
-        Functions functions;
-        for (unsigned int i = 0; i < 3; ++i)
-          add_corner(functions, t, i);
-        for (unsigned int e = 0; e < 3; ++e)
-          add_side(functions, t, e);
-        add_axial(functions[first_inside + t], {{1, 1, 1}}, 1.);
-
-        std::vector<VelocityFunction<2>> result;
-        for (const auto &[number, velocity] : functions)
-          result.push_back({number, velocity});
-        return result;
+            auto &on_triangle = basis.on_simplices.emplace_back();
+            for (const auto &[number, velocity] : functions)
+              on_triangle.push_back({number, velocity});
+          }
+        return basis;
       }
 
     private:
@@ -235,9 +232,9 @@ namespace ElastoPlastic
 
 
 
-  std::unique_ptr<ContinuousVelocities<2>>
-  make_revolution_velocities(const SplitBody<2> &body)
+  VelocityBasis<2>
+  revolution_velocities(const SplitBody<2> &body)
   {
-    return std::make_unique<RevolutionVelocities>(body);
+    return RevolutionVelocities(body).basis();
   }
 } // namespace ElastoPlastic

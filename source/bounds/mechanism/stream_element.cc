@@ -13,6 +13,10 @@ namespace ElastoPlastic
 {
   namespace
   {
+    constexpr unsigned int n_cubics = Bernstein<2>::n_functions(3);
+
+
+
     std::vector<SimplexVelocity<2>>
     velocities_of_streams(const SplitBody<2> &body,
                           const Corners<2>   &corners,
@@ -42,16 +46,6 @@ namespace ElastoPlastic
       return result;
     }
 
-
-
-    void
-    set_column(FullMatrix<double>        &matrix,
-               const unsigned int         column,
-               const std::vector<double> &entries)
-    {
-      for (unsigned int i = 0; i < entries.size(); ++i)
-        matrix(i, column) = entries[i];
-    }
   } // namespace
 
 
@@ -65,7 +59,6 @@ namespace ElastoPlastic
     , triangle(triangle)
     , corners(body.corners_of(triangle))
     , has_flux(has_flux)
-    , side_degree(body.is_axisymmetric() ? 4 : 2)
   {}
 
 
@@ -85,12 +78,11 @@ namespace ElastoPlastic
     const auto          ends = std::minmax({r[0], r[1], r[2]});
     const InverseSquare inverse_square(ends.first, ends.second);
 
-    WeightedRates result;
-    if (body.is_axisymmetric())
-      for (const double moment : quadratic_moments(r))
-        result.weights.push_back(size * moment);
-    else
-      result.weights.assign(3, size / 3.);
+    const unsigned int degree = body.is_axisymmetric() ? 2 : 1;
+    WeightedRates      result;
+    for (const double moment :
+         Bernstein<2>::moments(degree, body.weights(corners)))
+      result.weights.push_back(size * moment);
     if (has_flux)
       {
         const double mean = (r[0] + r[1] + r[2]) / 3.;
@@ -104,8 +96,8 @@ namespace ElastoPlastic
     for (unsigned int f = 0; f < functions.size(); ++f)
       {
         const SymmetricTensor<2, 2> of_flux = weighted_flux_rate(functions[f]);
-        auto                        rates   = Bernstein<2>::interpolate(
-          body.is_axisymmetric() ? 2 : 1, [&](const Barycentric<2> &point) {
+        auto                        rates =
+          Bernstein<2>::interpolate(degree, [&](const Barycentric<2> &point) {
             auto rate = polynomial_rate<2>(corners, functions[f], point);
             if (has_flux)
               rate += inverse_square(interpolate(point, r)) * of_flux;
@@ -125,80 +117,4 @@ namespace ElastoPlastic
     return result;
   }
 
-
-
-  template <typename Function>
-  std::vector<double>
-  StreamElement::coefficients_on_side(const unsigned int k,
-                                      const Function    &function) const
-  {
-    return Bernstein<1>::interpolate(side_degree,
-                                     [&](const Barycentric<1> &on_side) {
-                                       Barycentric<2> point = {};
-                                       point[k]             = on_side[0];
-                                       point[(k + 1) % 3]   = on_side[1];
-                                       return function(point);
-                                     });
-  }
-
-
-
-  FullMatrix<double>
-  StreamElement::velocities_on_side(const unsigned int  k,
-                                    const Tensor<1, 2> &direction) const
-  {
-    FullMatrix<double> result(side_degree + 1, functions.size());
-    for (unsigned int f = 0; f < functions.size(); ++f)
-      set_column(
-        result, f, coefficients_on_side(k, [&](const Barycentric<2> &point) {
-          return weighted_velocity(body, functions[f], triangle, point) *
-                 direction;
-        }));
-    return result;
-  }
-
-
-
-  FullMatrix<double>
-  StreamElement::slips_on_side(const unsigned int  k,
-                               const Tensor<1, 2> &direction) const
-  {
-    const unsigned int n      = functions.size();
-    const auto         weight = [&](const Barycentric<2> &point) {
-      return body.weight(interpolate(point, corners));
-    };
-    FullMatrix<double> result(side_degree + 1, n + 9);
-    result.fill(velocities_on_side(k, direction));
-    if (body.is_axisymmetric())
-      for (unsigned int f = 0; f < n_cubics; ++f)
-        {
-          const auto continuous =
-            coefficients_on_side(k, [&](const Barycentric<2> &point) {
-              return weight(point) * 2. * Bernstein<2>::functions(3, point)[f] *
-                     direction[1];
-            });
-          for (unsigned int i = 0; i <= side_degree; ++i)
-            result(i, f) -= continuous[i];
-        }
-    for (unsigned int i = 0; i < 3; ++i)
-      set_column(
-        result,
-        n + 3 * k + i,
-        coefficients_on_side(k, [&](const Barycentric<2> &point) {
-          const Barycentric<1> on_side = {{point[k], point[(k + 1) % 3]}};
-          return -weight(point) * weight(point) *
-                 Bernstein<1>::functions(2, on_side)[i];
-        }));
-    return result;
-  }
-
-
-
-  std::vector<double>
-  StreamElement::weights_on_side(const unsigned int k) const
-  {
-    return coefficients_on_side(k, [&](const Barycentric<2> &point) {
-      return body.weight(interpolate(point, corners));
-    });
-  }
 } // namespace ElastoPlastic

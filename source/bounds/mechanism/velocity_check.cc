@@ -122,42 +122,6 @@ namespace ElastoPlastic
                          (of_indenter[i] - of_body[i]) / body.weight_unit());
         }
     }
-
-
-
-    /// Adds that of a force for each unit of the weighted velocity.
-    void
-    add(TwoLoads &power, const double constant, const double growing)
-    {
-      power.constant += constant;
-      power.growing += growing;
-    }
-
-
-
-    /// The power of the given tractions on a face.
-    template <int dim>
-    void
-    add_tractions(TwoLoads              &power,
-                  const SplitBody<dim>  &body,
-                  const Velocities<dim> &velocity,
-                  const FaceView<dim>   &view)
-    {
-      for (const auto &component : view.condition.components)
-        if (component.type == ConditionType::traction &&
-            !(component.value.is_zero() && component.live_load.is_zero()))
-          integrate_on_face<dim>(
-            view.corners,
-            [&](const FacePoint<dim> &point, const double weight) {
-              const double along =
-                body.angle() * weight * view.area *
-                (view.velocity_of(0, velocity, point.position) *
-                 component.direction);
-              add(power,
-                  along * component.value(point),
-                  along * component.live_load(point));
-            });
-    }
   } // namespace
 
 
@@ -195,23 +159,19 @@ namespace ElastoPlastic
 
 
 
-  // (In the plane, weighted velocities are polynomials of degree 4, which the
-  // quadrature integrates exactly.)
   template <int dim>
   TwoLoads
   power_of_loads(const SplitBody<dim> &body, const Velocities<dim> &velocity)
   {
     TwoLoads power;
-    for (const auto &view : views_of_faces(body))
-      add_tractions(power, body, velocity, view);
     for (unsigned int t = 0; t < velocity.size(); ++t)
-      {
-        Tensor<1, dim> mean;
-        for (const auto &[point, weight] : simplex_quadrature<dim>())
-          mean += weight * weighted_velocity(body, velocity[t], t, point);
-        const auto integral = body.angle() * volume(body.corners_of(t)) * mean;
-        add(power, body.body_force * integral, body.live_body_force * integral);
-      }
+      for (const auto &[point, constant, growing] : forces_on(body, t))
+        {
+          const Tensor<1, dim> v =
+            body.angle() * weighted_velocity(body, velocity[t], t, point);
+          power.constant += constant * v;
+          power.growing += growing * v;
+        }
     return power;
   }
 

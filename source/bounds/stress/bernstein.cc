@@ -241,16 +241,20 @@ namespace ElastoPlastic
 
 
 
-  std::array<double, n_quadratics>
-  quadratic_moments(const std::array<double, 3> &values)
+  // Times the barycentric coordinate i, the function with the exponents a is
+  // (a_i + 1) / (n + 1) times one of the next degree.
+  template <int dim>
+  std::vector<double>
+  Bernstein<dim>::moments(const unsigned int                 degree,
+                          const std::array<double, dim + 1> &values)
   {
-    std::array<double, n_quadratics> result;
-    for (unsigned int i = 0; i < 3; ++i)
+    std::vector<double> result;
+    for (const Exponents &of_function : exponents(degree))
       {
-        const double here = values[i], next = values[(i + 1) % 3],
-                     last = values[(i + 2) % 3];
-        result[i]         = here / 10. + (next + last) / 30.;
-        result[3 + i]     = (here + next) / 15. + last / 30.;
+        double sum = 0;
+        for (unsigned int i = 0; i <= dim; ++i)
+          sum += (of_function[i] + 1) * values[i];
+        result.push_back(sum / ((degree + 1) * n_functions(degree + 1)));
       }
     return result;
   }

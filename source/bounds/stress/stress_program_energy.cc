@@ -142,9 +142,7 @@ namespace ElastoPlastic
       {
         const double volume =
           body.angle() * ElastoPlastic::volume(body.corners_of(t));
-        std::array<double, dim + 1> weights;
-        for (unsigned int i = 0; i <= dim; ++i)
-          weights[i] = body.weight(body.corners_of(t)[i]);
+        const auto weights = body.weights(body.corners_of(t));
         for (const auto &[position, weight] : simplex_quadrature<dim>())
           energy += 0.5 * volume * weight * interpolate(position, weights) *
                     HenckyMaterial::elastic_product(
