@@ -11,7 +11,7 @@ file(GLOB_RECURSE PARTS_SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/source/*.c
 list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/app/main.cc)
 # Classes in several files: the first includes the others.
 list(FILTER PARTS_SOURCES EXCLUDE REGEX
-  "source/(contact_run/(checkpoint|discrete_body_)|contact/contact_set_|mechanics/solid_operator_(preconditioning|states)|bounds/(limit_load_analysis|stress/stress_program)_)")
+  "source/(contact_run/(checkpoint|discrete_body_)|contact/contact_set_|mechanics/solid_operator_(initial_stress|preconditioning|states)|bounds/(limit_load_analysis|stress/stress_program)_)")
 if(TRILINOS_SOLVERS)
   list(REMOVE_ITEM PARTS_SOURCES ${CMAKE_SOURCE_DIR}/source/solver/matrix_preconditioner_gathered.cc)
 else()
@@ -58,10 +58,9 @@ if(ONE_UNIT_PER_MODULE)
         string(MAKE_C_IDENTIFIER "${_rooms}" _module)
       endif()
     endforeach()
-    # Five exceptions: what depends on STRICT_BOUNDS; kernels, which take as long as all the rest of their folder;
-    # GCC warns of a lambda over a local type in an included file; both analyses of bounds have local functions of
-    # the same name; and a header of Amesos has names of deal.II's.
-    if(NOT _source MATCHES "source/(app/with|simd/|mechanics/(solid_kernel|level_kernel|solid_operator_initial_stress)|mesh/material_ids.cc|bounds/limit_load_analysis|solver/matrix_preconditioner_)")
+    # Four exceptions: what depends on STRICT_BOUNDS; kernels, which take as long as all the rest of their folder;
+    # both analyses of bounds have local functions of the same name; and a header of Amesos has names of deal.II's.
+    if(NOT _source MATCHES "source/(app/with|simd/|mechanics/(solid_kernel|level_kernel)|bounds/limit_load_analysis|solver/matrix_preconditioner_)")
       set_source_files_properties(${_source} PROPERTIES UNITY_GROUP "${_module}")
     endif()
   endforeach()

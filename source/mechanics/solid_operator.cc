@@ -307,6 +307,7 @@ namespace ElastoPlastic
 } // namespace ElastoPlastic
 
 // The rest of the class, which is compiled and instantiated as a whole:
+#include "solid_operator_initial_stress.cc"
 #include "solid_operator_preconditioning.cc"
 #include "solid_operator_states.cc"
 

@@ -231,9 +231,4 @@ namespace ElastoPlastic
                 (trace(strains.strain[point]) - strains.volumetric[point]);
     return energy;
   }
-
-
-
-  template class SolidOperator<2>;
-  template class SolidOperator<3>;
 } // namespace ElastoPlastic
