@@ -12,7 +12,6 @@
 #include "indenter/height_file.h"
 #include "indenter/indenter_height_map.h"
 #include "indenter/indenter_parameters.h"
-#include "indenter/indenter_pyramid.h"
 #include "indenter/indenter_shapes.h"
 #include "indenter/indenter_stl_surface.h"
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "indenter/indenter_pyramid.h"
 #include "indenter/indenter_shapes.h"
 
 namespace ElastoPlastic

@@ -12,8 +12,8 @@
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/conic/yield_conditions.h"
-#include "bounds/mechanism/continuous_velocities.h"
 #include "bounds/mechanism/face_view.h"
+#include "bounds/mechanism/velocity_basis.h"
 #include "bounds/mechanism/velocity_program.h"
 
 namespace ElastoPlastic

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include "bounds/conic/tolerances.h"
-#include "bounds/mechanism/continuous_velocities.h"
+#include "bounds/mechanism/velocity_basis.h"
 
 namespace ElastoPlastic
 {

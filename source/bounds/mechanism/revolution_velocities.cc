@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bounds/conic/tolerances.h"
-#include "bounds/mechanism/continuous_velocities.h"
+#include "bounds/mechanism/velocity_basis.h"
 
 namespace ElastoPlastic
 {
