@@ -122,19 +122,19 @@ namespace ElastoPlastic
   {
     std::vector<ForceAtPoint<dim>> forces;
     for (const unsigned int f : body.mesh.simplices[simplex].faces)
-      for (const auto &[direction, type, value, live_load] :
-           body.conditions[f].components)
-        if (type == ConditionType::traction &&
-            !(value.is_zero() && live_load.is_zero()))
+      for (const auto &component : body.conditions[f].components)
+        if (component.type == ConditionType::traction &&
+            !(component.value.is_zero() && component.live_load.is_zero()))
           {
             const FaceView<dim> view(body, f);
             integrate_on_face<dim>(
               view.corners,
               [&](const FacePoint<dim> &point, const double weight) {
-                const Tensor<1, dim> unit = weight * view.area * direction;
+                const Tensor<1, dim> unit =
+                  weight * view.area * component.direction;
                 forces.push_back({view.point(point.position),
-                                  value(point) * unit,
-                                  live_load(point) * unit});
+                                  component.value(point) * unit,
+                                  component.live_load(point) * unit});
               });
           }
     if (body.body_force.norm() + body.live_body_force.norm() > 0.)
