@@ -17,14 +17,13 @@ namespace ElastoPlastic
 {
   using namespace dealii;
 
-  /// What a triangle contributes to the minimisation of plastic work, a sum of
-  /// norms under conditions, as a block of its dual, a ConicProgram:
+  /// What a simplex or a face contributes to the minimisation of plastic work,
+  /// a sum of norms under conditions, as a block of its dual, a ConicProgram:
   ///   limit |w e| = max { x . w e : |x| <= limit }.
   /// The unknowns x are stresses, and forces x >= 0 for the conditions; the
   /// equations say that their power vanishes for all velocities. Rates e are
-  /// given by matrices with a column for each local function of the velocity,
-  /// or for the first of them. Velocities are the multipliers of the equations
-  /// with the opposite sign.
+  /// given by matrices with a column for each local function of the velocity.
+  /// Velocities are the multipliers of the equations with the opposite sign.
   class DissipationBlock
   {
   public:

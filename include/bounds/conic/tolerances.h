@@ -20,8 +20,8 @@ namespace ElastoPlastic::Tolerance
   constexpr double small_angle = 2e-6;
 
   /// Of a radius, and of what has it as a factor, relative to the unit of
-  /// length or to the largest of its kind: below, it is on the axis of
-  /// revolution, where it would be zero without rounding errors.
+  /// length: below, it is on the axis of revolution, where it would be zero
+  /// without rounding errors.
   constexpr double on_axis = 1e-12;
 
   /// Of the way from a point of a face to its centre. What jumps at a vertex,

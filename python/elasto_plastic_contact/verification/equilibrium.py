@@ -71,6 +71,17 @@ def limit_load_revolution(runner):
         runner.compare(f"{name}: largest error of stresses and velocities",
                        max(max(row["stress_error"], row["velocity_error"]) for row in rows), 0, 1e-9, absolute=True)
 
+    def of_ring(unit):
+        """Both bounds on a coarse mesh, with all lengths in another unit."""
+        row, = runner.tables("limit_load/ring_punch.prm", "Refinement/Number of cycles=1", "Geometry/Repetitions=5, 5",
+                             f"Geometry/Lower corner=0, {-5 * unit!r}", f"Geometry/Upper corner={5 * unit!r}, 0",
+                             f"Indenter/Half width={0.5 * unit!r}", f"Indenter/Position={1.5 * unit!r}")["limit_load"]
+        return [row[bound] / unit**2 for bound in ("lower_bound", "upper_bound")]
+
+    for unit in (1e-7, 1e6):
+        for bound, value, reference in zip(("lower", "upper"), of_ring(unit), of_ring(1.)):
+            runner.compare(f"ring, lengths of {unit:g}: {bound} bound", value, reference, 1e-8)
+
 
 def limit_load_space(runner):
     """Limit loads in space: a square punch against bounds on a finer mesh, a slab between rollers against (2 + pi) k (exact)."""

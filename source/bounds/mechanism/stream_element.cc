@@ -40,9 +40,11 @@ namespace ElastoPlastic
                        velocity;
             }));
         }
+      // (in units in which its factors are velocities, as those of the others)
       if (has_flux)
         for (const Tensor<1, 2> &gradient : by_coordinates)
-          result.push_back({{}, gradient});
+          result.push_back(
+            {{}, Utilities::fixed_power<2>(body.weight_unit()) * gradient});
       return result;
     }
 

@@ -87,8 +87,8 @@ namespace ElastoPlastic
       const unsigned int         n = weights.size();
       const double               share =
         view.area * body.stress_unit / n / weighted_force_unit(body);
-      const auto                    along = tangents(view.corners);
-      const Tensor<1, dim>          down  = view.condition.contact().direction;
+      const auto           along   = tangents(view.corners);
+      const Tensor<1, dim> outward = view.condition.contact().direction;
       std::vector<DissipationBlock> blocks(
         dim == 2 ? 1 : n, DissipationBlock(functions.equations.size()));
       for (unsigned int p = 0; p < n; ++p)
@@ -98,7 +98,7 @@ namespace ElastoPlastic
             work(slips.m(), slips.n()), against(1, slips.n());
           for (unsigned int d = 0; d + 1 < dim; ++d)
             functions.fill(slips, d, p, along[d]);
-          functions.fill(against, 0, p, down);
+          functions.fill(against, 0, p, outward);
           if (view.resists_slip())
             {
               slip_factor(body, view.number).mmult(work, slips);
@@ -109,7 +109,7 @@ namespace ElastoPlastic
                              body.shear_strength(view.number) /
                                body.stress_unit);
             }
-          const double bound = weights[p] * (view.support.velocity * down);
+          const double bound = weights[p] * (view.support.velocity * outward);
           if (view.condition.is_reached &&
               std::max(against.linfty_norm(), std::abs(bound)) >
                 Tolerance::on_axis * body.weight_unit())
