@@ -39,9 +39,16 @@ namespace ElastoPlastic
   weights_out_of_plane(const Material<double> &material);
 
   /// What turns a slip along a face, by components in its tangents(), into a
-  /// vector with the norm N: the slip takes the plastic work k N, with
-  /// SplitBody::shear_strength() for k, in the neighbour that resists less, on
-  /// an average.
+  /// vector with the norm N: in one of its simplices the slip takes the plastic
+  /// work k N, k being the yield stress in shear by its yield radius.
+  template <int dim>
+  FullMatrix<double>
+  slip_factor(const SplitBody<dim> &body,
+              const unsigned int    face,
+              const unsigned int    simplex);
+
+  /// The same for the neighbour of the face that resists less, on an average,
+  /// with SplitBody::shear_strength() for k.
   template <int dim>
   FullMatrix<double>
   slip_factor(const SplitBody<dim> &body, const unsigned int face);

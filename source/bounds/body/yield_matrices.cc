@@ -128,35 +128,6 @@ namespace ElastoPlastic
       matrix.mmult(result, components);
       return result;
     }
-
-
-
-    /// slip_factor() in one of the neighbours, with the yield stress in shear
-    /// by its yield radius for k.
-    // In space, the factor of the form that the work is in the two components.
-    template <int dim>
-    FullMatrix<double>
-    factor_of_slip(const SplitBody<dim> &body,
-                   const unsigned int    face,
-                   const unsigned int    simplex)
-    {
-      const Material<double> &material = body.materials[simplex];
-      FullMatrix<double>      factor{IdentityMatrix(dim - 1)};
-      if (!has_general_criterion(material))
-        return factor;
-      const auto work =
-        work_of_rates<dim>(material,
-                           rates_of_slips<dim>(body.corners_of_face(face)));
-      FullMatrix<double> form(dim - 1, dim - 1);
-      work.Tmmult(form, work);
-      factor(0, 0) = std::sqrt(form(0, 0));
-      if (dim == 3)
-        {
-          factor(0, 1) = form(0, 1) / factor(0, 0);
-          factor(1, 1) = std::sqrt(form(1, 1) - factor(0, 1) * factor(0, 1));
-        }
-      return factor;
-    }
   } // namespace
 
 
@@ -194,6 +165,33 @@ namespace ElastoPlastic
 
 
 
+  // In space, the factor of the form that the work is in the two components.
+  template <int dim>
+  FullMatrix<double>
+  slip_factor(const SplitBody<dim> &body,
+              const unsigned int    face,
+              const unsigned int    simplex)
+  {
+    const Material<double> &material = body.materials[simplex];
+    FullMatrix<double>      factor{IdentityMatrix(dim - 1)};
+    if (!has_general_criterion(material))
+      return factor;
+    const auto work =
+      work_of_rates<dim>(material,
+                         rates_of_slips<dim>(body.corners_of_face(face)));
+    FullMatrix<double> form(dim - 1, dim - 1);
+    work.Tmmult(form, work);
+    factor(0, 0) = std::sqrt(form(0, 0));
+    if (dim == 3)
+      {
+        factor(0, 1) = form(0, 1) / factor(0, 0);
+        factor(1, 1) = std::sqrt(form(1, 1) - factor(0, 1) * factor(0, 1));
+      }
+    return factor;
+  }
+
+
+
   template <int dim>
   FullMatrix<double>
   slip_factor(const SplitBody<dim> &body, const unsigned int face)
@@ -203,7 +201,7 @@ namespace ElastoPlastic
     for (unsigned int i = 0; i < body.mesh.faces[face].n_neighbors(); ++i)
       {
         const unsigned int t      = body.mesh.faces[face].neighbors[i];
-        FullMatrix<double> factor = factor_of_slip(body, face, t);
+        FullMatrix<double> factor = slip_factor(body, face, t);
         factor *= std::sqrt(0.5) * body.materials[t].yield_radius /
                   body.shear_strength(face);
         if (const double norm = factor.frobenius_norm(); norm < least_norm)
@@ -225,6 +223,10 @@ namespace ElastoPlastic
   rate_matrix<2>(const Material<double> &);
   template FullMatrix<double>
   rate_matrix<3>(const Material<double> &);
+  template FullMatrix<double>
+  slip_factor(const SplitBody<2> &, const unsigned int, const unsigned int);
+  template FullMatrix<double>
+  slip_factor(const SplitBody<3> &, const unsigned int, const unsigned int);
   template FullMatrix<double>
   slip_factor(const SplitBody<2> &, const unsigned int);
   template FullMatrix<double>
