@@ -58,10 +58,7 @@ namespace ElastoPlastic
 
     /// Whether h has a finite limit for alpha to infinity.
     bool
-    is_bounded() const
-    {
-      return power_law.exponent == 0.;
-    }
+    is_bounded() const;
 
     /// Whether the slope never grows.
     bool

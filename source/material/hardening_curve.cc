@@ -88,6 +88,14 @@ namespace ElastoPlastic
 
 
   bool
+  HardeningCurve::is_bounded() const
+  {
+    return power_law.exponent == 0.;
+  }
+
+
+
+  bool
   HardeningCurve::is_concave() const
   {
     return std::is_sorted(pieces.begin(),
