@@ -15,7 +15,7 @@
 
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
-#include "refusal.h"
+#include "refused_indenter.h"
 
 #include <png.h>
 
@@ -116,21 +116,6 @@ print_heights(const IndenterParameters &parameters)
 
 
 void
-print_error(const IndenterParameters &parameters, const unsigned int dim = 3)
-{
-  const auto make = [&]() {
-    parameters.check(dim);
-    if (dim == 2)
-      make_indenter<2>(parameters);
-    else
-      make_indenter<3>(parameters);
-  };
-  std::cout << "  " << refusal(make) << std::endl;
-}
-
-
-
-void
 print_images()
 {
   std::cout << "Images, 0 102 51 / 255 204 153 of 255" << std::endl;
@@ -226,12 +211,12 @@ print_image_errors()
   std::cout << "Images that are refused" << std::endl;
   const auto refuse = [](const std::string &name, const std::string &content) {
     write(name, content);
-    print_error(height_map("image", name));
+    print_refusal(height_map("image", name), 3);
   };
 
-  print_error(height_map("image", ""));
-  print_error(height_map("image", "missing.png"));
-  print_error(height_map("image", "."));
+  print_refusal(height_map("image", ""), 3);
+  print_refusal(height_map("image", "missing.png"), 3);
+  print_refusal(height_map("image", "."), 3);
   refuse("empty.png", "");
   refuse("text.png", "1 2\n3 4\n");
   refuse("photo.png", "\xff\xd8\xff\xe0 JFIF");
@@ -277,12 +262,12 @@ print_image_errors()
   refuse("digit.pbm", "P1 2 2\n0120");
   refuse("short.pbm", "P4 9 2\n123");
   refuse("single_row.pgm", "P2 3 1 9\n1 2 3\n");
-  print_error(height_map("image", "grey_8.png"), 2);
+  print_refusal(height_map("image", "grey_8.png"), 2);
 
   IndenterParameters profile = height_map("image", "grey_8.png");
   profile.size               = {4};
-  print_error(profile, 2);
-  print_error(profile, 3);
+  print_refusal(profile, 2);
+  print_refusal(profile, 3);
 }
 
 
@@ -293,7 +278,7 @@ print_matrix_errors()
   std::cout << "Matrices that are refused" << std::endl;
   const auto refuse = [](const std::string &content) {
     write("matrix.txt", content);
-    print_error(height_map("height matrix", "matrix.txt"));
+    print_refusal(height_map("height matrix", "matrix.txt"), 3);
   };
 
   refuse("");

@@ -12,7 +12,7 @@
 
 #include "contact/gap_function.h"
 #include "indenter/indenter_parameters.h"
-#include "refusal.h"
+#include "refused_indenter.h"
 
 using namespace ElastoPlastic;
 
@@ -96,21 +96,6 @@ print_gap(const IndenterParameters &parameters, const Point<dim> &p)
 
 
 void
-print_error(const IndenterParameters &parameters, const unsigned int dim)
-{
-  const auto make = [&]() {
-    parameters.check(dim);
-    if (dim == 2)
-      make_indenter<2>(parameters);
-    else
-      make_indenter<3>(parameters);
-  };
-  std::cout << "  " << refusal(make) << std::endl;
-}
-
-
-
-void
 print_gaps()
 {
   std::cout << "Place, gap and reach" << std::endl;
@@ -184,22 +169,22 @@ print_errors()
     return parameters;
   };
   using P = IndenterParameters;
-  print_error(changed([](P &p) { p.radius = 0; }), 3);
-  print_error(changed([](P &p) { p.semi_apex_angle = 90; }), 3);
-  print_error(changed([](P &p) { p.half_widths = {1, -1}; }), 3);
-  print_error(changed([](P &p) { p.size = {0}; }), 2);
-  print_error(changed([](P &p) { p.height_scale = -2; }), 3);
-  print_error(changed([](P &p) { p.initial_gap = -0.5; }), 3);
-  print_error(changed([](P &p) { p.reach = -1; }), 3);
-  print_error(changed([](P &p) { p.position = {1}; }), 3);
-  print_error(changed([](P &p) { p.position = {1, 2}; }), 2);
-  print_error(changed([](P &p) { p.type = "rectangular punch"; }), 3);
-  print_error(changed([](P &p) {
-                p.type        = "strip punch";
-                p.half_widths = {1, 2};
-              }),
-              2);
-  print_error(changed([](P &p) { p.type = "image"; }), 2);
+  print_refusal(changed([](P &p) { p.radius = 0; }), 3);
+  print_refusal(changed([](P &p) { p.semi_apex_angle = 90; }), 3);
+  print_refusal(changed([](P &p) { p.half_widths = {1, -1}; }), 3);
+  print_refusal(changed([](P &p) { p.size = {0}; }), 2);
+  print_refusal(changed([](P &p) { p.height_scale = -2; }), 3);
+  print_refusal(changed([](P &p) { p.initial_gap = -0.5; }), 3);
+  print_refusal(changed([](P &p) { p.reach = -1; }), 3);
+  print_refusal(changed([](P &p) { p.position = {1}; }), 3);
+  print_refusal(changed([](P &p) { p.position = {1, 2}; }), 2);
+  print_refusal(changed([](P &p) { p.type = "rectangular punch"; }), 3);
+  print_refusal(changed([](P &p) {
+                  p.type        = "strip punch";
+                  p.half_widths = {1, 2};
+                }),
+                2);
+  print_refusal(changed([](P &p) { p.type = "image"; }), 2);
 }
 
 
