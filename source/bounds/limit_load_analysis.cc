@@ -15,6 +15,7 @@
 #include "bounds/body/loads.h"
 #include "bounds/conic/tolerances.h"
 #include "bounds/limit_load_analysis.h"
+#include "bounds/mesh/predicted_gaps.h"
 #include "bounds/stress/stress_check.h"
 #include "mesh/material_ids.h"
 #include "output/columns.h"
@@ -183,6 +184,7 @@ namespace ElastoPlastic
     while (true)
       {
         find_bounds_or_say_last();
+        warn_of_rounding_errors();
         write_results(table);
         directory.accept_results();
         if (is_last_cycle())
@@ -202,14 +204,12 @@ namespace ElastoPlastic
   LimitLoadAnalysis<dim>::find_bounds()
   {
     const Timer timer;
-    bool        are_optimal = true;
     rethrow_collectively(communicator, [&]() {
       if (!first_rank)
         return;
-      bounds      = bound_limit_load(body,
+      bounds                    = bound_limit_load(body,
                                 degree_of_stresses(body, parameters),
                                 tolerance_after<dim>(last_difference()));
-      are_optimal = bounds.stress.is_optimal && bounds.velocity.is_optimal;
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
@@ -222,8 +222,7 @@ namespace ElastoPlastic
                                    bounds.velocity.error,
                                    timer.wall_time()};
     });
-    row              = Utilities::MPI::broadcast(communicator, row);
-    error_indicators = body.mesh.cell_indicators(bounds.gaps, triangulation);
+    row = Utilities::MPI::broadcast(communicator, row);
 
     const std::string  simplices = dim == 2 ? "triangles" : "tetrahedra";
     std::ostringstream message;
@@ -239,7 +238,15 @@ namespace ElastoPlastic
                   std::to_string(row.cycle) + ' ' + std::to_string(row.cells) +
                     ' ' + std::to_string(row.triangles) + ' ' +
                     to_text(row.lower_bound) + ' ' + to_text(row.upper_bound));
-    if (!are_optimal)
+  }
+
+
+
+  template <int dim>
+  void
+  LimitLoadAnalysis<dim>::warn_of_rounding_errors()
+  {
+    if (first_rank && !(bounds.stress.is_optimal && bounds.velocity.is_optimal))
       log.warn(
         "Rounding errors have ended the interior point method early. "
         "The bounds hold, but this mesh has closer ones.");
@@ -294,12 +301,25 @@ namespace ElastoPlastic
 
 
 
+  // Each pass refines its part of the cells that are to be refined. Cells are
+  // put together in the last one: no prediction for them is needed then.
   template <int dim>
   void
   LimitLoadAnalysis<dim>::refine_mesh()
   {
-    flag_cells(parameters.refinement, error_indicators, triangulation);
-    triangulation.execute_coarsening_and_refinement();
+    const PredictedGaps<dim> gaps(body.mesh, bounds.gaps, communicator);
+    const double             n_cells_before = n_cells();
+    const unsigned int       n_passes =
+      parameters.refinement.is_adaptive() ? parameters.refinement.n_passes : 1;
+    for (unsigned int i = 1; i <= n_passes; ++i)
+      {
+        RefinementParameters pass = parameters.refinement;
+        pass.refinement_fraction *= n_cells_before / (n_passes * n_cells());
+        if (i < n_passes)
+          pass.coarsening_fraction = 0.;
+        flag_cells(pass, gaps.indicators(triangulation), triangulation);
+        triangulation.execute_coarsening_and_refinement();
+      }
     check_material_ids(triangulation, model.materials.size());
     setup_body();
     ++cycle;

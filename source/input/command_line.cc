@@ -29,7 +29,7 @@ namespace ElastoPlastic
         ("validate", "check the input, say what the job will be")
         ("print-parameters", "print every entry with default, range, unit and meaning")
         ("list-cases", "print the names of the ready cases, and what they are")
-        ("quiet", "print nothing but errors")
+        ("quiet", "print nothing but errors and warnings")
         ("version", "print the version")
         ("help", "print this text");
       // clang-format on

@@ -206,6 +206,7 @@ namespace ElastoPlastic
                       with("Refinement/Strategy", {"adaptive"})}));
       refinement({"Number of cycles"}, refining);
       refinement({"Refinement fraction", "Coarsening fraction"}, marking);
+      refinement({"Passes"}, all({marking, with("Analysis", {"limit load"})}));
       refinement({"Steps between adaptations"},
                  all({marking, with_several_steps()}));
       refinement({"Elements over contact radius"}, of_contact);

@@ -126,7 +126,7 @@ namespace ElastoPlastic
       "What is printed. full: versions, one line per Newton "
       "step, times. summary: only the table of results, without "
       "anything that a clock or the number of processes could "
-      "change. quiet: nothing but errors.");
+      "change. quiet: nothing but errors and warnings.");
     prm.add_parameter(
       "Surface profile",
       surface_profile,

@@ -6,7 +6,6 @@
 
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>
-#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <string>
@@ -126,14 +125,6 @@ namespace ElastoPlastic
     /// forces are as large as the stresses that they cause.
     double
     size() const;
-
-    /// What decides on the refinement of the cells of @p triangulation: the
-    /// square root of the sum of what the first rank knows of their simplices,
-    /// @p of_simplices; negative numbers count as zero. Every rank receives the
-    /// values of its own active cells. Collective.
-    Vector<float>
-    cell_indicators(const std::vector<double> &of_simplices,
-                    const Triangulation<dim>  &triangulation) const;
   };
 
 

@@ -1,15 +1,10 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/base/mpi.h>
-
-#include <boost/serialization/map.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "base/compatibility.h"
 #include "base/largest_error.h"
 #include "bounds/mesh/cut_cells.h"
 #include "bounds/mesh/split_mesh.h"
@@ -173,27 +168,6 @@ namespace ElastoPlastic
     for (const auto &cell : gather_cut_cells(triangulation))
       assembler.add(cell);
     return assembler.mesh;
-  }
-
-
-
-  template <int dim>
-  Vector<float>
-  SplitMesh<dim>::cell_indicators(const std::vector<double> &of_simplices,
-                                  const Triangulation<dim> &triangulation) const
-  {
-    std::map<CellId, double> of_cell;
-    for (unsigned int t = 0; t < of_simplices.size(); ++t)
-      of_cell[cells[simplices[t].cell].id] += std::max(0., of_simplices[t]);
-    of_cell =
-      Utilities::MPI::broadcast(communicator_of(triangulation), of_cell);
-
-    Vector<float> indicators(triangulation.n_active_cells());
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        indicators[cell->active_cell_index()] =
-          std::sqrt(of_cell.at(cell->id()));
-    return indicators;
   }
 
 
