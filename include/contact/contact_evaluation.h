@@ -65,8 +65,9 @@ namespace ElastoPlastic
   private:
     using Node = typename ContactSet<dim>::Node;
 
-    /// Which candidates the indenter has reached. (Entering ones bear a force
-    /// before, and may be inside when it has.)
+    /// Which candidates the indenter has reached: those that are closed, and of
+    /// the entering ones that are passed those that are inside, or bear force
+    /// (beside a sharp tip, some within the contact stay open a little).
     std::vector<bool>
     find_reached() const;
 
@@ -127,9 +128,9 @@ namespace ElastoPlastic
     const Vector          &u, &residual;
     /// Of the candidates.
     const std::vector<double> gaps;
-    const std::vector<bool>   reached;
     /// EdgeLaw::passed(): these have tractions.
     const std::vector<bool> passed;
+    const std::vector<bool> reached;
     /// If areas are those of the deformed body.
     const std::optional<ContactFaces<dim>> moved_faces;
     const Vector                           areas, touched_areas, bearing_areas;

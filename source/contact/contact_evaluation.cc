@@ -35,8 +35,8 @@ namespace ElastoPlastic
     , u(u)
     , residual(residual)
     , gaps(contact.gaps(u, contact.depth()))
-    , reached(find_reached())
     , passed(contact.law().passed(gaps, contact.statuses()))
+    , reached(find_reached())
     , moved_faces(contact.bounds.follow_deformation() ?
                     std::make_optional(contact.faces.moved(u)) :
                     std::nullopt)
@@ -54,9 +54,11 @@ namespace ElastoPlastic
     std::vector<bool> result;
     for (unsigned int k = 0; k < gaps.size(); ++k)
       {
-        const ContactStatus status = contact.candidates[k].status;
-        result.push_back(status == ContactStatus::closed ||
-                         (status == ContactStatus::entering && gaps[k] <= 0.));
+        const Node &node = contact.candidates[k];
+        result.push_back(
+          node.status == ContactStatus::closed ||
+          (passed[k] &&
+           (gaps[k] <= 0. || contact.pressing_force(node, u, residual) > 0.)));
       }
     return result;
   }
