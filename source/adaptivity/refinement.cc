@@ -4,6 +4,7 @@
 #include <deal.II/distributed/grid_refinement.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptivity/refinement.h"
@@ -117,6 +118,22 @@ namespace ElastoPlastic
 
 
 
+    /// The fraction of cells to refine. deal.II rounds their number down, but a
+    /// mesh of few cells is to become finer, too.
+    template <int dim>
+    double
+    refined_part(const RefinementParameters                      &parameters,
+                 const parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      const double one_cell =
+        std::min(1.5 / triangulation.n_global_active_cells(), 1.);
+      return parameters.refinement_fraction > 0. ?
+               std::max(parameters.refinement_fraction, one_cell) :
+               0.;
+    }
+
+
+
     /// Earlier flags are forgotten: what is asked for does not depend on meshes
     /// that have been marked, but not made.
     template <int dim>
@@ -129,11 +146,17 @@ namespace ElastoPlastic
       if (parameters.strategy == RefinementStrategy::global)
         triangulation.set_all_refine_flags();
       else
-        parallel::distributed::GridRefinement::refine_and_coarsen_fixed_number(
-          triangulation,
-          error_indicators,
-          parameters.refinement_fraction,
-          parameters.coarsening_fraction);
+        {
+          const double refined = refined_part(parameters, triangulation);
+          parallel::distributed::GridRefinement::
+            refine_and_coarsen_fixed_number(
+              triangulation,
+              error_indicators,
+              refined,
+              refined > parameters.refinement_fraction ?
+                std::min(parameters.coarsening_fraction, 1. - refined) :
+                parameters.coarsening_fraction);
+        }
     }
   } // namespace
 
