@@ -540,6 +540,8 @@ add_message_test(coarse_pixels 0 "Warning: Where the indenter touches, the eleme
   ${CMAKE_SOURCE_DIR}/parameter_files/step42/height_map.prm --overwrite --quiet --output-directory coarse_pixels --set "Refinement/Number of cycles=1" --set "Geometry/Initial refinements=4")
 add_message_test(steep_indenter 0 "Warning: Step 1 leaves the theory of small strains: the slope of the indenter at the edge of the contact is 0.577 .limit: 0.25.. What follows"
   ${_elastic_indentation} --output-directory steep_indenter --set "Loading/Depth=0.06" --set "Indenter/Type=cone" --set "Indenter/Semi-apex angle=60")
+add_message_test(through_body 0 "Warning: The indenter is through the body, whose height is [0-9.]+. Are the force in 'Loading' and the moduli in 'Material' in the same system of units"
+  ${_elastic_indentation} --output-directory through_body --set "Loading/Control=force" --set "Loading/Force=1e7" --set "Loading/Number of steps=1")
 add_message_test(deep_punch 0 "Warning: Step 2 leaves the theory of small strains: the depth over the contact radius is 0.2[0-9]* .limit: 0.2.. What follows"
   ${_elastic_indentation} --output-directory deep_punch --set "Loading/Depth=0.04" --set "Indenter/Type=circular punch" --set "Indenter/Radius=0.1")
 # Surface profile, probes and evaluation

@@ -100,6 +100,11 @@ namespace ElastoPlastic
     std::string
     warning_of_missed_contact() const;
 
+    /// Under a prescribed force. (Depths are looked at before the run:
+    /// check_depth().) Collective.
+    void
+    warn_of_depth(const SolveResult &result);
+
     void
     warn_of_large_strains(const SolveResult &result);
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <limits>
@@ -29,6 +30,20 @@ namespace ElastoPlastic
     for (unsigned int d = 0; d < dim; ++d)
       size = std::max(size, box.side_length(d));
     return size;
+  }
+
+
+
+  /// From the lowest point of the body to the highest one. Collective.
+  template <int dim>
+  double
+  body_height(const Triangulation<dim> &triangulation)
+  {
+    const auto [lower, upper] =
+      GridTools::compute_bounding_box(triangulation).get_boundary_points();
+    const MPI_Comm communicator = communicator_of(triangulation);
+    return Utilities::MPI::max(upper[dim - 1], communicator) -
+           Utilities::MPI::min(lower[dim - 1], communicator);
   }
 
 

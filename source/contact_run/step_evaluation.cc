@@ -258,6 +258,23 @@ namespace ElastoPlastic
 
   template <int dim>
   void
+  StepEvaluation<dim>::warn_of_depth(const SolveResult &result)
+  {
+    if (result.contact_area == 0. || !body.contact().is_force_driven())
+      return;
+    const double height = body_height(body.triangulation());
+    if (body.model.boundary_conditions.prescribed_displacements().empty() &&
+        result.depth - body.model.indenter.initial_gap >= height)
+      log.warn_once(
+        "The indenter is through the body, whose height is " + to_text(height) +
+        ". Are the force in 'Loading' and the moduli in 'Material' in the same "
+        "system of units?");
+  }
+
+
+
+  template <int dim>
+  void
   StepEvaluation<dim>::warn_of_large_strains(const SolveResult &result)
   {
     if (body.model.strain_model.is_finite())
@@ -316,6 +333,7 @@ namespace ElastoPlastic
   void
   StepEvaluation<dim>::warn_of_limits(const SolveResult &result)
   {
+    warn_of_depth(result);
     warn_of_large_strains(result);
     warn_of_pressure(result);
   }

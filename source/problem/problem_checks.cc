@@ -4,7 +4,6 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <array>
@@ -83,19 +82,6 @@ namespace ElastoPlastic
           "xy"[d] +
           ", beyond which its mirror image would move the other way. Let it "
           "move along that plane, or model the whole body.");
-    }
-
-
-
-    template <int dim>
-    double
-    height_of_body(const Triangulation<dim> &triangulation)
-    {
-      const auto [lower, upper] =
-        GridTools::compute_bounding_box(triangulation).get_boundary_points();
-      const MPI_Comm communicator = communicator_of(triangulation);
-      return Utilities::MPI::max(upper[dim - 1], communicator) -
-             Utilities::MPI::min(lower[dim - 1], communicator);
     }
 
 
@@ -226,7 +212,7 @@ namespace ElastoPlastic
     const auto depth = largest_load(model.load_program, steps, Control::depth);
     const bool moves =
       !model.boundary_conditions.prescribed_displacements().empty();
-    const double height = height_of_body(triangulation);
+    const double height = body_height(triangulation);
     if (!depth || moves || *depth - model.indenter.initial_gap < height)
       return;
     throw InputError(entry_of_depth(loading).first,
