@@ -62,6 +62,8 @@ def set_materials(case, materials, film):
                          f"  elastic constants: {material.elastic_source}"]
         if not material.is_elastic:
             case.remarks.append(f"  yield stress and hardening ({material.hardening}): {material.plastic_source}")
+    if materials[0].is_elastic:
+        case.chosen["plasticity"] = "none: linear elastic; --yield-stress makes it yield"
 
 
 def set_tip(case, tip):

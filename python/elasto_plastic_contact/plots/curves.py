@@ -23,10 +23,10 @@ def beside(axes):
     axes.legend(loc="upper left", bbox_to_anchor=(1., 1.))
 
 
-def distance_from_axis(points, centre):
+def distance_from_axis(points, centre, dimension):
     """Horizontal distance; with a sign where there is one horizontal direction
-    only. The vertical axis is the last one, and flat data have z = 0."""
-    if numpy.ptp(points[:, 2]) == 0. and numpy.ptp(points[:, 1]) < 1e-10 * numpy.ptp(points[:, 0]):
+    only."""
+    if dimension == 2:
         return points[:, 0] - centre[0]
     return numpy.hypot(points[:, 0] - centre[0], points[:, 1] - centre[1])
 
@@ -39,7 +39,7 @@ def pressure(run, arguments, scales, axes):
         raise UserError(f"'{run.path('surface.pvd')}' leads to no field 'contact_pressure'")
     points, values = surface["points"], surface["contact_pressure"]
     centre = ((arguments.centre or run.numbers("Indenter/Position")) + [0., 0.])[:2]
-    distance = distance_from_axis(points, centre)
+    distance = distance_from_axis(points, centre, run.number("Dimension"))
     reach = 1.6 * numpy.abs(distance[values > 0.]).max(initial=0.) or numpy.abs(distance).max()
     shown = numpy.abs(distance) <= reach
 
