@@ -120,7 +120,7 @@ main(int argc, char *argv[])
            {"Refinement/Strategy", "adaptive"}});
   compare("Refinement/Refinement fraction",
           {{"Refinement/Strategy", "global"}});
-  compare("Refinement/Passes", {{"Refinement/Strategy", "adaptive"}});
+  compare("Refinement/Passes", limit_load);
   compare("Linear solver/Maximum number of iterations",
           {{"Linear solver/Type", "direct"}});
   compare("Evaluation/Beta", history);

@@ -78,9 +78,9 @@ namespace ElastoPlastic
       "how many passes the cells are refined from one mesh to the next, in "
       "each of them an equal number, those that add most to the distance of "
       "the bounds. What a refined cell adds is predicted, so that it may be "
-      "refined again. With three passes and a refinement fraction of 0.4, "
-      "the same bounds take half of the time, with half as many cycles. From "
-      "1 to 10.",
+      "refined again. In two dimensions, three passes and a refinement "
+      "fraction of 0.4 take about half of the time to the same bounds, with "
+      "half as many cycles. From 1 to 10.",
       Patterns::Integer(1, 10));
     prm.add_parameter(
       "Steps between adaptations",
