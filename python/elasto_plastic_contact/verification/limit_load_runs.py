@@ -46,3 +46,21 @@ def limit_load_runs(runner):
         if said:
             for number, name in enumerate(("lower_bound", "upper_bound"), 1):
                 runner.compare(f"{name} of the last mesh", float(said.group(number)), last[name], 1e-9)
+
+
+def limit_load_passes(runner):
+    """Several passes of refinement: the same meshes on 1 and 2 ranks, bounds as close as by one pass on twice as many."""
+    def last(n_cycles, *entries):
+        return runner.tables("limit_load/circular_punch.prm", f"Refinement/Number of cycles={n_cycles}", *entries)["limit_load"][-1]
+
+    passes = ("Refinement/Passes=3", "Refinement/Refinement fraction=0.4")
+    alone = last(4, *passes)
+    with runner.on_ranks(2):
+        shared = last(4, *passes)
+    for name in ("cells", "triangles"):
+        runner.compare(f"{name} on 2 ranks", shared[name], alone[name], 0)
+    for name in ("lower_bound", "upper_bound"):
+        runner.compare(f"{name} on 2 ranks", shared[name], alone[name], 1e-9)
+    one_pass = last(8)
+    runner.compare("triangles, three passes over one", alone["triangles"] / one_pass["triangles"], 1, 0.15)
+    runner.verify("a smaller difference of the bounds", alone["relative_difference"] < one_pass["relative_difference"])
