@@ -61,7 +61,8 @@ namespace ElastoPlastic
     unsigned int       max_unknowns        = 0;
     double             refinement_fraction = 0.3;
     double             coarsening_fraction = 0.03;
-    /// In how many of them the cells of a limit load are refined.
+    /// Of a limit load: in how many passes cells are refined before the next
+    /// bounds.
     unsigned int n_passes = 1;
     /// In a history: load steps from one mesh to the next; 0: one mesh.
     unsigned int adaptation_interval = 0;

@@ -105,6 +105,12 @@ class Kinds(unittest.TestCase):
             text = case_of("coating", film=film).text()
             self.assertEqual("film: linear elastic, as --film names no yield stress" in text, is_elastic)
 
+    def test_elastic_metal(self):
+        """The library knows no yield stress of tungsten, which is said."""
+        for changes, is_said in (({"material": "tungsten"}, True), ({"material": "tungsten", "yield_stress": "1 GPa"}, False),
+                                 ({}, False)):
+            self.assertEqual("plasticity" in case_of("cone", **changes).chosen, is_said)
+
     def test_symmetric_sector(self):
         for kind, angle, force in (("vickers", "45", 1. / 8), ("berkovich", "60", 1. / 6)):
             case = make_case(kind, read_given(kind, {"material": "steel", "force": "10 mN"}, "usual"))

@@ -72,6 +72,14 @@ class OuterFaces(unittest.TestCase):
         self.assertEqual(skin.cut_away(points, cells, "y", [0, 1, 0]).tolist(), [list(range(8, 16))])
 
 
+class Distances(unittest.TestCase):
+    def test_curved_boundary(self):
+        """Along a plane body's boundary that rises, x alone counts; in space, both horizontal directions."""
+        points = numpy.array([[0., 0., 0.], [3., 4., 0.]])
+        self.assertEqual(curves.distance_from_axis(points, [1., 0.], 2).tolist(), [-1., 2.])
+        self.assertEqual(curves.distance_from_axis(points, [0., 0.], 3).tolist(), [0., 5.])
+
+
 class Outlines(unittest.TestCase):
     def profile(self, shape, distance, **entries):
         entries = {name.replace("_", " "): value for name, value in entries.items()}
