@@ -3,8 +3,10 @@
 """Verification of load steps: how they adapt to Newton's iterations, and what is saved of them; see verify."""
 
 import math
+import pathlib
 import subprocess
 
+from ..tables import read_tables
 from .finite_strain import COARSE, CONE
 from .runner import EULER, TWO_STEPS
 
@@ -102,15 +104,22 @@ def too_long_steps(runner):
 
 
 def checkpoint_memory(runner):
-    """A run that writes a checkpoint after each step takes no more memory than one that writes none."""
+    """A run that writes a checkpoint after each step does not hold its contents in memory once more."""
 
-    def peak_memory(minutes_between):
-        return runner.tables(
-            "sphere_3d.prm", "Geometry/Initial refinements=5", "Refinement/Strategy=none",
-            "Refinement/Number of cycles=1", "Loading/History=1: depth 0.002", "Loading/Number of steps=2",
+    def peak_memory_and_checkpoint(minutes_between):
+        entries = (
+            "Geometry/Initial refinements=5", "Refinement/Strategy=none", "Refinement/Number of cycles=1",
+            "Loading/History=1: depth 0.002", "Loading/Number of steps=2",
             f"Output/Minutes between checkpoints={minutes_between}",
-        )["statistics"][-1]["memory_mb"]
+        )
+        with runner.results("sphere_3d.prm", entries) as folder:
+            files = (pathlib.Path(folder) / "checkpoint").glob("*")
+            return read_tables(folder)["statistics"][-1]["memory_mb"], sum(file.stat().st_size for file in files) / 2**20
 
-    without, with_checkpoints = peak_memory(1000), peak_memory(0)
-    runner.verify(f"peak memory with checkpoints {with_checkpoints:.1f} MB, without {without:.1f} MB, at most 2 % more",
-                  with_checkpoints <= 1.02 * without)
+    without, _ = peak_memory_and_checkpoint(1000)
+    with_checkpoints, checkpoint = peak_memory_and_checkpoint(0)
+    # (The peak of one and the same run varies by up to 6 MB with what else the machine does.)
+    runner.verify(
+        f"peak memory with checkpoints {with_checkpoints:.1f} MB, without {without:.1f} MB, at most a quarter "
+        f"of the {checkpoint:.1f} MB of a checkpoint more", with_checkpoints <= without + checkpoint / 4,
+    )
