@@ -302,6 +302,8 @@ add_entry_test(back_stress_count "'Material/Back stress moduli' is '1 . 2 . 3 . 
 add_entry_test(recovery_negative "'Material/Recovery rates' is '-1', but it must be 'none', or numbers" "Material/Back stress moduli=1" "Material/Recovery rates=-1")
 add_entry_test(recovery_count "'Material/Recovery rates' is 'none', but 'Material/Back stress moduli' is '1 . 2': give one rate for each" "Material/Back stress moduli=1 | 2")
 add_entry_test(material_lists "'Material/Young's modulus' has 2 values, but another entry of this section has 3" "Material/Young's modulus=1,2" "Material/Yield stress=1,2,3")
+add_entry_test(material_id_missing "describe 2 materials, but 'Geometry/Material id' is empty: .* a comma separates two of them" "Material/Yield stress=1,500")
+add_entry_test(modulus_with_comma "'Material/Young's modulus' is '1, 0', but .* a comma separates two of them" "Material/Young's modulus=1,000")
 add_entry_test(material_id_without_material "has the material id 2, but the entries of 'Material' describe 2 materials: 0 to 1" "Geometry/Material id=if(y < 0.2, 2, 0)" "Material/Yield stress=1,2")
 add_entry_test(negative_material_id "'Geometry/Material id' is '-1', but at the centre .* is no number of a material" "Geometry/Material id=-1")
 add_entry_test(infinite_material_id "'Geometry/Material id' is .*, but at \\(0.875 .*infinite" "Geometry/Material id=if(x > 0.8, 1/(x-0.875), 0)")

@@ -111,6 +111,9 @@ namespace ElastoPlastic
     check_soil() const;
 
     void
+    check_places_of_materials() const;
+
+    void
     check_contact_geometry() const;
 
     void

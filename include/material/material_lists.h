@@ -54,7 +54,8 @@ namespace ElastoPlastic
                          values,
                          condition(value) ?
                            "its numbers must not exceed 1e100." :
-                           what);
+                         values.size() == 1 ? what :
+                                              what + " " + decimal_point_hint);
   }
 
 

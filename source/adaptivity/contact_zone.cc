@@ -241,10 +241,13 @@ namespace ElastoPlastic
       return std::to_string(std::lround(100. * part / force)) + " %";
     };
     if (on_coarse_spots > 0.05 * force && all_spots.size() <= few_spots)
-      return "The contact is only " + std::to_string(std::lround(fewest)) +
-             " elements wide; with fewer than 8, force and contact area are "
-             "rough." +
-             remedy;
+      {
+        const long n = std::lround(fewest);
+        return "The contact is only " + std::to_string(n) +
+               (n == 1 ? " element" : " elements") +
+               " wide; with fewer than 8, force and contact area are rough." +
+               remedy;
+      }
     if (on_coarse_spots > 0.05 * force)
       return percent(on_coarse_spots) + " of the force is on spots of " +
              std::to_string(all_spots.size()) +

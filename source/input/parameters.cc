@@ -196,6 +196,7 @@ namespace ElastoPlastic
     check_friction_and_path();
     loading.check();
     material.check();
+    check_places_of_materials();
     check_integration();
     check_yield_criterion();
     indenter.check(dimension);
@@ -223,6 +224,21 @@ namespace ElastoPlastic
         "There is an indenter ('Indenter/Type = " + indenter.type +
         "'), but 'Boundary conditions/Contact' is empty. Name "
         "the boundary that it presses on, for example top.");
+  }
+
+
+
+  void
+  Parameters::check_places_of_materials() const
+  {
+    if (const unsigned int n = material.n_materials();
+        n > 1 && geometry.type != "file" && geometry.material_id.empty())
+      throw InputError(
+        "The entries of 'Material' describe " + std::to_string(n) +
+        " materials, but 'Geometry/Material id' is empty: the whole body is of "
+        "material 0. Say there which cells are of which material, or give "
+        "every entry one value. " +
+        decimal_point_hint);
   }
 
 

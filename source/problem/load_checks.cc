@@ -215,7 +215,8 @@ namespace ElastoPlastic
         !bears_initial_stress(model.initial_stress, dof_handler))
       throw InputError(
         "Nothing loads the body: at the ends of all load steps, neither depth "
-        "nor force of the indenter is greater than 0, and tractions, prescribed "
+        "nor force of the indenter is greater than 0 (both are positive where "
+        "it is pressed in), and tractions, prescribed "
         "displacements, body forces and the initial stress are zero, as far as "
         "there are any. Check 'Loading', 'Boundary conditions', 'Body force' "
         "and 'Initial stress'.");
