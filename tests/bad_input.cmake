@@ -286,6 +286,9 @@ add_message_test(criterion_limit_load 2 "'Material/Yield criterion' is 'Hill, Ho
 add_message_test(criterion_beside_soil 2 "'Material/Yield criterion' is 'Hill, Mohr-Coulomb', but beside soil, other materials can obey the criterion of von Mises only" ${_rolled} "Material/Yield criterion=Hill, Mohr-Coulomb")
 add_message_test(criterion_limit_load_axis 2 "'Material/Axes' is '0 . 30 . 0', but in two dimensions one of the axes of the material must be the third of the body" ${_rolled} "Material/Axes=0 | 30 | 0" --set "Material/Hill ratios=1 | 1.1 | 1 | 1 | 1 | 1")
 add_message_test(criterion_limit_load_turning 2 "'Material/Axes' is '30.x', but 'Analysis = limit load' knows axes that are the same everywhere" ${_rolled} "Material/Axes=30*x")
+set(_indenter_symmetry 2 "The rollers through 'Indenter/Position' make a plane of symmetry of the body, but the indenter is not symmetric about that")
+add_message_test(indenter_symmetry ${_indenter_symmetry} ${CMAKE_SOURCE_DIR}/parameter_files/indentation/vickers_sector.prm --validate --set "Indenter/Number of faces=3" --set "Indenter/Face angle=65.27")
+add_message_test(indenter_rotation ${_indenter_symmetry} ${CMAKE_SOURCE_DIR}/parameter_files/indentation/vickers_sector.prm --validate --set Indenter/Rotation=20)
 add_message_test(criterion_limit_load_symmetry 2 "The rollers through 'Indenter/Position' make a plane of symmetry of the body, but its material is not symmetric about that" ${_rolled} "Material/Axes=10")
 add_entry_test(rates_list "'Material/Rate law' has 2 values, but another entry of this section has 3" "Material/Rate law=none, Norton" "Material/Yield stress=1, 2, 3")
 add_entry_test(tiny_yield_strain "'Material/Yield stress' is '400', but with 'Material/Young's modulus = 1e[+]15' the material yields at a strain of 4e-13.*same system of units" "Material/Young's modulus=1e15")
@@ -678,6 +681,7 @@ add_entry_test(body_force_later "entry 'Body force' is 'sqrt.0.6-t.', but at .* 
 add_message_test(traction_later 2 "entry 'Boundary conditions/Traction' is 'sqrt.1-t.', but at .* and t = 1.05 its value is not a number" ${_sheet} --set "Boundary conditions/Free=" --set "Boundary conditions/Traction=right: sqrt(1-t)@ 0")
 add_message_test(no_load 2 "Error: .*Nothing loads the body: at the ends of all load steps, .* are zero" ${_sheet} --set "Boundary conditions/Prescribed displacement=top: free@ 0*t")
 add_message_test(initial_stress_zero 2 "Nothing loads the body: .* body forces and the initial stress are zero" ${_sheet} --set "Boundary conditions/Prescribed displacement=top: free@ 0*t" --set "Initial stress/Stress xx=0*x")
+add_entry_test(history_without_indenter "'Loading/History' is '1: depth 0.1', but there is no indenter" Indenter/Type=none "Boundary conditions/Contact=" "Boundary conditions/Free=top, right" "Loading/History=1: depth 0.1")
 add_entry_test(no_force "Nothing loads the body" Loading/Control=force Loading/Force=0)
 add_message_test(mesh_will_stop 0 "Warning: The mesh is expected to stop following the contact at some step: it would have about [0-9]+ unknowns in the end" ${_following} --validate)
 add_message_test(little_memory 0 "Warning: The run is expected to need about [0-9]+ MB of memory, and there are [0-9]+ MB here" ${CMAKE_SOURCE_DIR}/parameter_files/sphere_3d.prm --validate

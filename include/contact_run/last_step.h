@@ -54,6 +54,15 @@ namespace ElastoPlastic
       return largest_contact_area > 0.;
     }
 
+    /// Whether no contact @p area until now is larger, but for rounding: that
+    /// of a hold stays as it is.
+    bool
+    is_largest(const double area) const
+    {
+      constexpr double rounding = 1e-9;
+      return area >= (1. - rounding) * largest_contact_area;
+    }
+
     /// The work of the nodal forces on the way from here to @p new_displacement
     /// and @p new_forces, by the trapezoidal rule. Collective.
     double

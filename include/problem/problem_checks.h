@@ -41,6 +41,15 @@ namespace ElastoPlastic
     const Model<dim>                                &model,
     const parallel::distributed::Triangulation<dim> &triangulation);
 
+  /// The same of the shape of the indenter, where it has been put. Collective.
+  /// @throws InputError
+  template <int dim>
+  void
+  check_symmetry_of_indenter(
+    const Model<dim>                                &model,
+    const GapFunction<dim>                          &gap_function,
+    const parallel::distributed::Triangulation<dim> &triangulation);
+
   /// The indenter must be able to touch the body, and the load program must
   /// let it press beyond the smallest gap under it, which is @p min_gap, or up
   /// to it if other loads may press the body against it. @throws InputError

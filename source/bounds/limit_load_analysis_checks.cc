@@ -103,6 +103,8 @@ namespace ElastoPlastic
     check_contact_boundaries(model, triangulation);
     check_symmetry_of_materials(model, triangulation);
     setup_body();
+    if (gap_function.has_indenter())
+      check_symmetry_of_indenter(model, gap_function, triangulation);
     check_supports_of_limit_load(model,
                                  parameters.limit_load.load,
                                  gap_function,

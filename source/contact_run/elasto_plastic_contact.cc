@@ -77,6 +77,9 @@ namespace ElastoPlastic
                     step.times(),
                     parameters.loading,
                     adaptation.min_gap());
+        check_symmetry_of_indenter(model,
+                                   body.gap_function(),
+                                   body.triangulation());
         check_width(body.gap_function(), body.triangulation());
         check_depth(model,
                     step.times(),

@@ -197,7 +197,7 @@ namespace ElastoPlastic
   void
   LoadStep<dim>::commit_on_new_mesh(SolveResult result)
   {
-    if (last_step.result.contact_area >= last_step.largest_contact_area)
+    if (last_step.is_largest(last_step.result.contact_area))
       last_step.largest_contact_area = result.contact_area;
     result.plastic_work           = 0;
     result.dissipation            = 0;

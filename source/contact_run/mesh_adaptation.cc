@@ -84,8 +84,8 @@ namespace ElastoPlastic
                         body.cells_to_flag());
     if (!by_errors)
       clear_flags(body.cells_to_flag());
-    const bool grows = result.contact_area >= last_step.largest_contact_area ||
-                       !program.path().is_at_rest();
+    const bool grows =
+      last_step.is_largest(result.contact_area) || !program.path().is_at_rest();
     const bool outgrows_mesh =
       (enters_untouched(last_step) ||
        (grows && !program.is_segment_end(result.time))) &&

@@ -226,7 +226,7 @@ namespace ElastoPlastic
   StepEvaluation<dim>::note(const SolveResult &result,
                             const LastStep    &last_step)
   {
-    if (result.contact_area >= last_step.largest_contact_area &&
+    if (last_step.is_largest(result.contact_area) &&
         body.model.load_program.is_segment_end(result.time))
       if (const std::string warning =
             result.contact_area > 0. ?

@@ -213,6 +213,12 @@ namespace ElastoPlastic
     evaluation.check();
     check_continuous_stiffness(*this);
 
+    if (!indenter.is_present() && !loading.history.empty() &&
+        analysis != Analysis::limit_load)
+      throw InputError("Loading/History",
+                       loading.history,
+                       "there is no indenter: 'Indenter/Type = none'. Other "
+                       "loads are expressions of t: set 'Loading/Final time'.");
     const bool has_contact_boundary = !boundary_conditions.contact.empty();
     if (!indenter.is_present() && has_contact_boundary)
       throw InputError(

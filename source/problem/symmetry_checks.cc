@@ -13,6 +13,7 @@
 
 #include "base/compatibility.h"
 #include "base/exceptions.h"
+#include "mesh/body_size.h"
 #include "mesh/boundary_faces.h"
 #include "mesh/material_ids.h"
 #include "problem/problem_checks.h"
@@ -128,6 +129,52 @@ namespace ElastoPlastic
         }
       return result;
     }
+
+
+
+    /// Whether the indenter is as high above most points around its tip as
+    /// above their mirror images: those that are made of triangles or pixels
+    /// may differ in some. @p size is that of the body.
+    template <int dim>
+    bool
+    is_symmetric_about_plane(const GapFunction<dim> &gap_function,
+                             const Tensor<1, 3>     &normal,
+                             const double            size)
+    {
+      constexpr unsigned int n_radii = 32, n_directions = 12;
+      constexpr double       ratio = 0.7, like = 0.01, rounding = 1e-6;
+
+      Point<dim>     tip;
+      Tensor<1, dim> across;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          tip[d]    = gap_function.position()[d];
+          across[d] = normal[d];
+        }
+      const double lowest = gap_function.value(tip);
+      int          n_like = 0, n_unlike = 0;
+      double       radius = size;
+      for (unsigned int i = 0; i < n_radii; ++i, radius *= ratio)
+        for (unsigned int k = 0; k < n_directions; ++k)
+          {
+            const double   angle = i + 2. * numbers::PI * k / n_directions;
+            Tensor<1, dim> offset;
+            offset[0] = radius * std::cos(angle);
+            if (dim == 3)
+              offset[1] = radius * std::sin(angle);
+            const double gap      = gap_function.value(tip + offset);
+            const double of_image = gap_function.value(
+              tip + offset - 2. * (offset * across) * across);
+            if (std::isinf(gap) && std::isinf(of_image))
+              continue;
+            const bool is_like =
+              std::isfinite(gap) && std::isfinite(of_image) &&
+              std::abs(gap - of_image) <=
+                like * (std::max(gap, of_image) - lowest) + rounding * radius;
+            ++(is_like ? n_like : n_unlike);
+          }
+      return n_unlike <= n_like;
+    }
   } // namespace
 
 
@@ -167,6 +214,55 @@ namespace ElastoPlastic
 
 
 
+  // (Turned around the axis, each indenter is symmetric.)
+  template <int dim>
+  void
+  check_symmetry_of_indenter(
+    const Model<dim>                                &model,
+    const GapFunction<dim>                          &gap_function,
+    const parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    if (model.strain_model.kinematics == Kinematics::axisymmetric)
+      return;
+    constexpr double rounding  = 1e-6;
+    const double     size      = body_size(triangulation);
+    bool             is_unlike = false;
+    rethrow_collectively(communicator_of(triangulation), [&]() {
+      std::vector<Tensor<1, 3>> normals;
+      for (const SymmetryPoint &point :
+           points_of_symmetry(model, triangulation))
+        if (std::none_of(normals.begin(),
+                         normals.end(),
+                         [&](const Tensor<1, 3> &normal) {
+                           return (normal - point.normal).norm() < rounding;
+                         }))
+          {
+            normals.push_back(point.normal);
+            is_unlike =
+              is_unlike ||
+              !is_symmetric_about_plane(gap_function, point.normal, size);
+          }
+    });
+    if (Utilities::MPI::logical_or(is_unlike, communicator_of(triangulation)))
+      throw InputError(
+        "The rollers through 'Indenter/Position' make a plane of symmetry of "
+        "the body, but the indenter is not symmetric about that: half of it "
+        "would press as if its mirror image were the other half. Turn it "
+        "('Indenter/Rotation') so that the plane is one of its own, choose "
+        "another part of the body (half of it, or 'Geometry/Sector angle'), or "
+        "model the whole body.");
+  }
+
+
+
+  template void
+  check_symmetry_of_indenter(const Model<2> &,
+                             const GapFunction<2> &,
+                             const parallel::distributed::Triangulation<2> &);
+  template void
+  check_symmetry_of_indenter(const Model<3> &,
+                             const GapFunction<3> &,
+                             const parallel::distributed::Triangulation<3> &);
   template void
   check_symmetry_of_materials(const Model<2> &,
                               const parallel::distributed::Triangulation<2> &);

@@ -82,6 +82,16 @@ def rows_that_go_on(runner):
                 runner.compare(f"{strain}, {name}: {column}", rows[-1][column], expected[-1][column], 1e-8)
 
 
+def contact_of_a_hold(runner):
+    """In a hold, rounding errors of the contact area do not decide when the mesh follows: it does so at once."""
+    n_steps, load, hold = 24, 1, 2
+    tables = runner.tables("indentation/sphere_axisymmetric.prm", f"Loading/History={load}: depth 0.01 | {load + hold}: hold",
+                           f"Loading/Number of steps={n_steps}", "Refinement/Elements over contact radius=8")
+    first = load + (load + hold) / n_steps
+    times = [row["time"] for row in tables["mesh_changes"] if row["time"] > load]
+    runner.verify(f"changes of the mesh in the hold at {times}, its first step ends at {first}", times in ([], [first]))
+
+
 def force_at(depth, steps):
     """From linear interpolation of its root."""
     points = [(0, 0)] + [(step["depth"], math.sqrt(step["force"])) for step in steps]

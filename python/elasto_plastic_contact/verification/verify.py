@@ -35,7 +35,7 @@ from .indentation import (axisymmetric_against_space, hencky_and_flow, johnson_c
                           johnson_limit, load_cycles, pyramid_sectors, sectors)
 from .initial_stress import first_yield_under_stress, initial_stress, initial_stress_cone, initial_stress_error_bound, initial_stress_runs
 from .job_preview import curved_body, job_preview
-from .load_steps import adaptive_steps, checkpoint_memory, rows_that_go_on, two_step_integration
+from .load_steps import adaptive_steps, checkpoint_memory, contact_of_a_hold, rows_that_go_on, two_step_integration
 from .new_cases import (new_berkovich, new_brinell, new_coating, new_cone, new_limit_load, new_material_test,
                         new_rockwell, new_sphere, new_vickers)
 from .hardness_and_rate import creep_hardness, creep_punch, creep_runs, creep_similarity, creep_units, hold_before_path
@@ -312,7 +312,7 @@ ALL = {
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,
                      nearly_incompressible, job_preview, curved_body,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, rough_finite_strain, published_cones,
-                     adaptive_steps, two_step_integration, rows_that_go_on, checkpoint_memory, initial_stress, initial_stress_cone, initial_stress_error_bound,
+                     adaptive_steps, two_step_integration, rows_that_go_on, contact_of_a_hold, checkpoint_memory, initial_stress, initial_stress_cone, initial_stress_error_bound,
                      initial_stress_runs,
                      ssnv128, bonded_punch, adhesion, spence, mindlin_cylinder, mindlin_sphere, sliding_mesh,
                      friction_symmetries, friction_ranks, friction_resume,
