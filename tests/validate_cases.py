@@ -12,7 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "python"))
-from elasto_plastic_contact.verification.runner import Runner  # noqa: E402 (it is found there)
+from tools.verification.runner import Runner  # noqa: E402 (it is found there)
 
 cases = sorted(file.relative_to(ROOT / "parameter_files").as_posix() for file in (ROOT / "parameter_files").rglob("*.prm"))
 refused = []

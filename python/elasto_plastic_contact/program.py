@@ -59,6 +59,13 @@ def checkout():
     return ROOT
 
 
+def add_program(parser):
+    """The argument --program."""
+    parser.add_argument("--program", help="elasto_plastic_contact (default: what the variable "
+                        f"{PROGRAM_VARIABLE} says, or the Release build of a checkout, "
+                        "or what is installed with this command)")
+
+
 def find_program(program=None):
     """The path of the program: what is given, or what the variable ELASTO_PLASTIC_CONTACT of the environment says, or the
     Release build of this checkout, or what is installed with this package, or what the shell would find."""

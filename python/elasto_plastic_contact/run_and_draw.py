@@ -14,8 +14,7 @@ import subprocess
 from .arguments import CommandParser, number
 from .pictures import render
 from .plots import command as plot
-from .program import MPI_ENVIRONMENT, find_case, find_program
-from .verification.runner import add_program
+from .program import MPI_ENVIRONMENT, add_program, find_case, find_program
 
 DEFAULT_CASE = "sphere_3d.prm"
 

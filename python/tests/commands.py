@@ -8,11 +8,11 @@ import types
 
 from matplotlib import pyplot
 
-from elasto_plastic_contact.__main__ import main
+from tools.__main__ import main
 
 
 def command(*arguments):
-    """What 'epc ARGUMENT ...' writes and its exit status: stdout, stderr, returncode.
+    """What "scripts/command.py ARGUMENT ..." writes and its exit status: stdout, stderr, returncode.
 
     Both streams are files, as a command may ask for their descriptors."""
     with tempfile.TemporaryFile("w+", encoding="utf-8") as output, tempfile.TemporaryFile("w+", encoding="utf-8") as errors:

@@ -313,6 +313,11 @@ class Commands(unittest.TestCase):
         self.assertEqual(command("nonsense").returncode, 2)
         for arguments in (["--help"], ["verify", "--help"]):
             self.assertEqual(command(*arguments).returncode, 0)
+        # (users have no commands of developers)
+        process = subprocess.run([sys.executable, "-m", "elasto_plastic_contact", "verify"],
+                                 capture_output=True, text=True, check=False)
+        self.assertEqual(process.returncode, 2)
+        self.assertRegex(process.stderr, "invalid choice: 'verify'")
 
 
 if __name__ == "__main__":

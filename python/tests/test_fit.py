@@ -23,7 +23,7 @@ from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve
 from elasto_plastic_contact.fitting.results import sentences
 from elasto_plastic_contact.fitting.runs import Runs
 from elasto_plastic_contact.fitting.statistics import UNKNOWN
-from elasto_plastic_contact.inputs.fit_data import CREEP, measured
+from tools.inputs.fit_data import CREEP, measured
 from elasto_plastic_contact.program import ROOT
 from elasto_plastic_contact.study.plan import Case, read_json
 

@@ -21,7 +21,7 @@ from elasto_plastic_contact.fitting.runs import Failure
 from elasto_plastic_contact.fitting.statistics import (UNKNOWN, covariance, covariance_of_known, directions,
                                                        independent_points, quality)
 from elasto_plastic_contact.fitting.uniqueness import Material, family, representative
-from elasto_plastic_contact.verification.fit_coverage import Repetitions
+from tools.verification.fit_coverage import Repetitions
 
 # A sphere of the radius 1 whose hardness is three times the flow stress at the plastic strain 0.2 a/R (Tabor, 1951).
 DEPTHS = numpy.linspace(0.002, 0.1, 120)
@@ -318,7 +318,7 @@ class Errors(unittest.TestCase):
             ends = [end for pair in profiles(model, best, BOUND, deviations) for end in pair]
             self.assertFalse(any(end.remark for end in ends), [end.remark for end in ends])
         moved = types.SimpleNamespace(converged=False, chi_square=1e9)
-        with unittest.mock.patch("elasto_plastic_contact.verification.fit_coverage.held", lambda *_: moved):
+        with unittest.mock.patch("tools.verification.fit_coverage.held", lambda *_: moved):
             self.assertIsNone(repeat(1))
         with (unittest.mock.patch.object(optimisation, "MOST_STEPS", 1),
               unittest.mock.patch("elasto_plastic_contact.fitting.profiles.RESTARTS", 0)):

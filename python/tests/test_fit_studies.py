@@ -15,17 +15,17 @@ import numpy
 from elasto_plastic_contact.fitting.models import FunctionModel
 from elasto_plastic_contact.fitting.reading import read_problem
 from elasto_plastic_contact.fitting.solve import Region
-from elasto_plastic_contact.pages.fits import content_of_changes, content_of_cones, content_of_metals, content_of_pair
-from elasto_plastic_contact.pages.places import fill, names
+from tools.pages.fits import content_of_changes, content_of_cones, content_of_metals, content_of_pair
+from tools.pages.places import fill, names
 from elasto_plastic_contact.schema import check_path
-from elasto_plastic_contact.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
+from tools.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
                                                                    coordinates_of, entries, residuals, standard_errors)
-from elasto_plastic_contact.verification.curve_and_imprint_fit import FITS, problem_of_fit
-from elasto_plastic_contact.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
+from tools.verification.curve_and_imprint_fit import FITS, problem_of_fit
+from tools.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
                                                                     problem_of, published_functions, tensile_entries)
-from elasto_plastic_contact.verification import two_cones
-from elasto_plastic_contact.verification.two_cones import ROWS, compare_with_material, compare_with_published
-from elasto_plastic_contact.verification.two_cones import problem_of as problem_of_known
+from tools.verification import two_cones
+from tools.verification.two_cones import ROWS, compare_with_material, compare_with_published
+from tools.verification.two_cones import problem_of as problem_of_known
 
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "doc"
 PAGE, PAGE_OF_CONES = PAGES / "recipes/fit.md", PAGES / "trust/published_cones.md"

@@ -15,7 +15,7 @@ import unittest
 import unittest.mock
 
 from elasto_plastic_contact.__main__ import main
-from elasto_plastic_contact.inputs.height_maps import write_pgm
+from tools.inputs.height_maps import write_pgm
 from elasto_plastic_contact.program import PROGRAM_VARIABLE, find_program
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "scripts/command.py"

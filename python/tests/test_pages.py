@@ -5,8 +5,8 @@
 import unittest
 
 from elasto_plastic_contact.errors import UserError
-from elasto_plastic_contact.pages.places import differences, fill, names
-from elasto_plastic_contact.pages.recipe import Content, count, percent, power
+from tools.pages.places import differences, fill, names
+from tools.pages.recipe import Content, count, percent, power
 
 PAGE = """Two meshes:
 

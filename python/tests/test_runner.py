@@ -7,7 +7,7 @@ import sys
 import unittest
 import unittest.mock
 
-from elasto_plastic_contact.verification.runner import Runner
+from tools.verification.runner import Runner
 
 
 class Environment(unittest.TestCase):

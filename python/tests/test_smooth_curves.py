@@ -5,9 +5,9 @@
 import math
 import unittest
 
-from elasto_plastic_contact.verification.contact_law import biases, largest_pressure, pressure_errors, waves_of
-from elasto_plastic_contact.verification.contact_law_bodies import SHAPES, mesh
-from elasto_plastic_contact.verification.smooth_curves import SmoothCurve, at_place, initial_slope, waves
+from tools.verification.contact_law import biases, largest_pressure, pressure_errors, waves_of
+from tools.verification.contact_law_bodies import SHAPES, mesh
+from tools.verification.smooth_curves import SmoothCurve, at_place, initial_slope, waves
 
 DEPTHS = [0.002 * (i + 1) / 120 for i in range(120)]
 

@@ -5,10 +5,10 @@
 import tempfile
 import unittest
 
-from elasto_plastic_contact.verification.contact_uniqueness import changes, worst_of
-from elasto_plastic_contact.verification.rough_spots import n_spots
-from elasto_plastic_contact.verification.uniqueness_histories import histories
-from elasto_plastic_contact.verification.uniqueness_variants import VARIANTS, as_entries, mirrored
+from tools.verification.contact_uniqueness import changes, worst_of
+from tools.verification.rough_spots import n_spots
+from tools.verification.uniqueness_histories import histories
+from tools.verification.uniqueness_variants import VARIANTS, as_entries, mirrored
 
 
 def row(force, depth=1, area=1, pressure=1):

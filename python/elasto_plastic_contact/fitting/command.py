@@ -12,9 +12,8 @@ import functools
 import pathlib
 
 from ..arguments import CommandParser, number
-from ..program import cases_folder, find_program
+from ..program import add_program, cases_folder, find_program
 from ..study.command import open_folder
-from ..verification.runner import add_program
 
 
 def fit(problem, directory, *, program=None, at_once=None, report=functools.partial(print, flush=True)):

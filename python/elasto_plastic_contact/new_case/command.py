@@ -19,8 +19,7 @@ from .rules import FINENESS
 from ..arguments import CommandParser, one_of
 from ..errors import UserError
 from ..files import new_file
-from ..program import find_program
-from ..verification.runner import add_program
+from ..program import add_program, find_program
 
 QUESTIONS = MATERIAL_QUESTIONS | OPTIONS
 

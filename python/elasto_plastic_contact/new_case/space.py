@@ -12,7 +12,7 @@ from .revolution import set_friction, set_materials, set_tip
 from .rules import FINENESS, describe_steps, needs_finite_strains, rounded, set_elements, set_output, set_strain
 from .units import text_of, units_for
 from ..errors import UserError
-from ..inputs.height_maps import rough_surface
+from .rough_surface import rough_surface
 
 # Of a scratch: steps of the way for each contact radius, and contact radii around the way that are meshed finely, and
 # the body's.

@@ -14,9 +14,6 @@ PLOTS = {
     "equilibrium": "fields of the equilibrium method",
     "friction": "shear traction and forces of a contact with friction in the plane",
     "imprints": "force over depth, and deformed surfaces from above, of tests in space",
-    "johnson_limit": "Johnson's limit of vanishing hardening (runs the program)",
-    "sphere_strains": "a sphere with small and with finite strains (runs the program)",
-    "stress_convergence": "errors of stresses in equilibrium (runs the program)",
 }
 
 

@@ -11,7 +11,6 @@ import matplotlib.pyplot as plt  # noqa: E402 (the choice of Agg comes first)
 from ..arguments import CommandParser, picture  # noqa: E402
 from ..errors import FileError, UserError  # noqa: E402
 from ..results import Results  # noqa: E402
-from ..verification.runner import Runner, add_program  # noqa: E402
 
 BLUE, RED = "#2b5c8a", "#b8303a"
 DPI = 150
@@ -115,14 +114,6 @@ def draw_runs(plot, description, default_output, arguments):
     add_runs(parser)
     chosen = parser.parse_args(arguments)
     save(plot(labelled(chosen.runs), chosen), chosen.output)
-
-
-def draw_own_runs(plot, description, default_output, arguments):
-    """Saves the figure that plot(runner) returns, which runs the program."""
-    parser = make_parser(description, default_output)
-    add_program(parser)
-    chosen = parser.parse_args(arguments)
-    save(plot(Runner(chosen.program, 1)), chosen.output)
 
 
 def save(figure, path):

@@ -19,8 +19,7 @@ from .plan import read_study
 from ..arguments import CommandParser
 from ..errors import FileError, UserError
 from ..files import new_file
-from ..program import as_text, find_program
-from ..verification.runner import add_program
+from ..program import add_program, as_text, find_program
 
 def open_folder(directory, kind):
     """Makes the folder of a study or of another kind of command, and locks it until the end of the process."""

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: The ElastoPlasticContact authors
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Case of verify: what a limit load analysis says while it runs, and when it is ended."""
+
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import time
+
+from elasto_plastic_contact.program import MPI_ENVIRONMENT
+from elasto_plastic_contact.tables import read_table
+
+
+def start(runner, folder, n_cycles):
+    """The strip punch on so many meshes, with one row on the screen for each."""
+    command = [runner.program, runner.case("limit_load/strip_punch.prm"), "--output-directory", folder, "--overwrite"]
+    for entry in (f"Refinement/Number of cycles={n_cycles}", "Output/Screen=summary", "Output/Fields=never"):
+        command += ["--set", entry]
+    return subprocess.Popen(command, env=os.environ | MPI_ENVIRONMENT, text=True, stdout=subprocess.PIPE,
+                            stderr=subprocess.PIPE)
+
+
+def limit_load_runs(runner):
+    """The summary of a limit load has the bounds, and SIGTERM leaves the last ones."""
+    with tempfile.TemporaryDirectory() as folder:
+        table = pathlib.Path(folder) / "limit_load.csv"
+        screen = start(runner, folder, 2).communicate()[0].splitlines()
+        runner.verify("names of the columns", screen[:1] == ["cycle cells triangles lower_bound upper_bound"])
+        shown = [[float(number) for number in line.split()] for line in screen[1:]]
+        computed = [[row[name] for name in screen[0].split()] for row in read_table(table)]
+        runner.verify("one row for each mesh", len(shown) == len(computed) == 2)
+        runner.compare("bounds on the screen", max(abs(a / b - 1) for a, b in zip(sum(shown, []), sum(computed, [])) if b),
+                       0, 1e-9, absolute=True)
+
+        process = start(runner, folder, 40)
+        while process.poll() is None and (not table.exists() or len(read_table(table)) != 3):
+            time.sleep(0.01)
+        process.terminate()
+        message = process.communicate()[1]
+        last = read_table(table)[-1]
+        runner.verify("exit status after SIGTERM", process.returncode == 143)
+        said = re.search(r"The limit load is between\s+(\S+)\s+and\s+([^\s,]+)", message)
+        runner.verify("says its bounds", said is not None)
+        if said:
+            for number, name in enumerate(("lower_bound", "upper_bound"), 1):
+                runner.compare(f"{name} of the last mesh", float(said.group(number)), last[name], 1e-9)
+
+
+def limit_load_passes(runner):
+    """Several passes of refinement: the same meshes on 1 and 2 ranks, bounds as close as by one pass on twice as many."""
+    def last(n_cycles, *entries):
+        return runner.tables("limit_load/circular_punch.prm", f"Refinement/Number of cycles={n_cycles}", *entries)["limit_load"][-1]
+
+    passes = ("Refinement/Passes=3", "Refinement/Refinement fraction=0.4")
+    alone = last(4, *passes)
+    with runner.on_ranks(2):
+        shared = last(4, *passes)
+    for name in ("cells", "triangles"):
+        runner.compare(f"{name} on 2 ranks", shared[name], alone[name], 0)
+    for name in ("lower_bound", "upper_bound"):
+        runner.compare(f"{name} on 2 ranks", shared[name], alone[name], 1e-9)
+    one_pass = last(8)
+    runner.compare("triangles, three passes over one", alone["triangles"] / one_pass["triangles"], 1, 0.15)
+    runner.verify("a smaller difference of the bounds", alone["relative_difference"] < one_pass["relative_difference"])
