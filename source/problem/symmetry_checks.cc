@@ -132,6 +132,24 @@ namespace ElastoPlastic
 
 
 
+    /// One of each plane.
+    std::vector<Tensor<1, 3>>
+    distinct_normals(const std::vector<SymmetryPoint> &points)
+    {
+      std::vector<Tensor<1, 3>> normals;
+      for (const SymmetryPoint &point : points)
+        if (std::none_of(normals.begin(),
+                         normals.end(),
+                         [&point](const Tensor<1, 3> &normal) {
+                           constexpr double rounding = 1e-6;
+                           return (normal - point.normal).norm() < rounding;
+                         }))
+          normals.push_back(point.normal);
+      return normals;
+    }
+
+
+
     /// Whether the indenter is as high above most points around its tip as
     /// above their mirror images: those that are made of triangles or pixels
     /// may differ in some. @p size is that of the body.
@@ -228,20 +246,10 @@ namespace ElastoPlastic
     const double     size      = body_size(triangulation);
     bool             is_unlike = false;
     rethrow_collectively(communicator_of(triangulation), [&]() {
-      std::vector<Tensor<1, 3>> normals;
-      for (const SymmetryPoint &point :
-           points_of_symmetry(model, triangulation))
-        if (std::none_of(normals.begin(),
-                         normals.end(),
-                         [&](const Tensor<1, 3> &normal) {
-                           return (normal - point.normal).norm() < rounding;
-                         }))
-          {
-            normals.push_back(point.normal);
-            is_unlike =
-              is_unlike ||
-              !is_symmetric_about_plane(gap_function, point.normal, size);
-          }
+      for (const Tensor<1, 3> &normal :
+           distinct_normals(points_of_symmetry(model, triangulation)))
+        is_unlike =
+          is_unlike || !is_symmetric_about_plane(gap_function, normal, size);
     });
     if (Utilities::MPI::logical_or(is_unlike, communicator_of(triangulation)))
       throw InputError(
