@@ -33,6 +33,7 @@ from .errors import UserError
 from .measured.arguments import own_units_only, parse_arguments
 from .measured.columns import given_columns
 from .measured.curve import in_own_units
+from .measured.order import check_time, check_work
 from .measured.readers import read_raw
 from .measured.results import ResultsTable
 from .measured.units import FACTORS, factor, given_units, tidy
@@ -61,6 +62,9 @@ def read_curve(path, columns, factors):
                             f"{numpy.isfinite(values).argmin() + 1}")
     if not curve[1].max() > 0.:
         raise UserError(f"'{path}' has no value of '{columns[1]}' above 0. Turn its sign by --factors")
+    if "time" in rows[0]:
+        check_time(numpy.array([row["time"] for row in rows]), "time", f"'{path}'")
+    check_work(*curve, f"'{path}'")
     return curve
 
 

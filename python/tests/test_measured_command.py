@@ -227,6 +227,21 @@ class Command(unittest.TestCase):
         no_time.write_text("Depth (nm)\tLoad (mN)\n" + "".join(f"{h}\t{f}\n" for h, f in zip(curve.depth, curve.force)))
         self.expect_message("has no time, and its drift is a rate", no_time, "--drift", "0.1 nm/s")
 
+    def test_rows_that_are_not_in_the_order_of_time(self):
+        """Read backwards, with a time and without, with units and without, and a time that falls on the way."""
+        curve = indent()
+        rows = numpy.column_stack([curve.time, 1e3 * curve.depth, curve.force])
+        fallen = numpy.where(numpy.arange(len(rows)) < 200, rows.T, rows.T - [[5.], [0.], [0.]]).T
+        heads = ("Time (s)", "Depth (nm)", "Load (mN)"), ("time", "depth", "force")
+        falls, works = "has a time that falls from .* in row {} to .* .column '{}'.: .*sort them", "gives back more work .*sort them"
+        for head, table, first, message in ((heads[0], rows[::-1], 0, falls.format(1, "Time .s.")),
+                                            (heads[1], rows[::-1], 0, falls.format(1, "time")),
+                                            (heads[0], fallen, 0, falls.format(200, "Time .s.")),
+                                            (heads[0], rows[::-1], 1, works), (heads[1], rows[::-1], 1, works)):
+            path = self.folder / "order.csv"
+            numpy.savetxt(path, table[:, first:], delimiter=",", header=",".join(head[first:]), comments="")
+            self.expect_message(f"order.csv'.*{message}", path, "--berkovich")
+
     def test_missing_library(self):
         """Of a kind of file that is not read otherwise."""
         folder = self.folder / "without"
