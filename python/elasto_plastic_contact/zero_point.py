@@ -40,6 +40,11 @@ def continued_loading(depth, force, noise):
     return float(min(fits)[1])
 
 
+def is_far(found, depth):
+    """Whether the continued loading begins too far from the depth zero for that to be the first contact."""
+    return found is not None and found < depth.max() and abs(found) > TOLERANCE * (depth.max() - found)
+
+
 def find_zero_point(depth, force, chosen, noise):
     """chosen: the depth of the zero point, 'fit' for that of the continued loading, or None: the depth zero, which
     must not be far from that."""
@@ -52,7 +57,7 @@ def find_zero_point(depth, force, chosen, noise):
                             f"loading between {100. * LOWEST_SHARE:g} and {100. * HIGHEST_SHARE:g} % of its largest force, "
                             "beyond the noise. Give the depth at the first contact by --zero-point DEPTH")
         return found
-    if found is not None and found < depth.max() and abs(found) > TOLERANCE * (depth.max() - found):
+    if is_far(found, depth):
         raise UserError(f"the depth of the measured curve is not counted from the first contact: its loading, continued "
                         f"down to the force zero, begins at the depth {found:.4g}, and the largest one is {depth.max():.4g}. "
                         "Take that as the zero point by --zero-point fit, or say where the tip first touches by --zero-point "

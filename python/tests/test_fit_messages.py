@@ -211,6 +211,15 @@ class Problems(unittest.TestCase):
         (self.folder / "load.csv").write_text("\n".join(CURVE.splitlines()[:40]))
         self.refuse_data("has no unloading; leave 'unload' out", curve="load.csv", segments=["load", "unload"])
 
+    def test_curve_that_does_not_begin_at_the_contact(self):
+        """Is refused unless the problem says its zero point."""
+        rows = numpy.loadtxt(self.folder / "curve.csv", delimiter=",", skiprows=1) + [20., 0.]
+        numpy.savetxt(self.folder / "shifted.csv", rows, delimiter=",", header="Depth (µm),Force (N)", comments="", encoding="utf-8")
+        self.refuse_data("is not counted from the first contact: .* begins at 2e.04 nm, .* in the problem of a fit by \"zero point\"",
+                         curve="shifted.csv")
+        for zero in ("20 µm", "0 nm"):
+            self.assertEqual(len(self.block({"curve": "shifted.csv", "zero point": zero})), 2)
+
     def test_holds(self):
         """Depths over the time since the hold began, in units of the case, also of a load that is not unloaded."""
         force = numpy.concatenate([numpy.linspace(0., 5., 51), numpy.full(60, 5.), numpy.linspace(4.9, 0., 50)])

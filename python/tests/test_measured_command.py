@@ -118,10 +118,11 @@ class Command(unittest.TestCase):
         curve = indent((10., 20.), hold=5., drift=1e-4)
         path = self.write("changed.txt",
                           MeasuredCurve("1", curve.depth + 2e-3 * curve.force + 0.06, curve.force, curve.time))
-        process = self.command(path, "--area", SHARP)
-        self.assertRegex(process.stdout,
-                         "zero point: 0, as in the file; the loading, continued, begins at 6[0-9.]+ nm, [0-9.]+ % of the "
-                         "depth: far from 0, take it by --zero-point fit")
+        self.expect_message("the depth of the indent '1' is not counted from the first contact: .* begins at 6[0-9.]+ nm, .* "
+                            "by --zero-point fit, or .* --zero-point '5 nm'", path, "--area", SHARP)
+        self.assertRegex(self.command(path, "--area", SHARP, "--zero-point", 0).stdout, "zero point: 0 nm, --zero-point")
+        self.assertRegex(self.command(self.file, "--area", SHARP).stdout,
+                         "zero point: 0, as in the file; the loading, continued, begins at [-0-9.e]+ nm, [-0-9.e]+ % of the depth\n")
         for drift, zero, words in (("hold", "fit",
                                     "drift: 0.1 nm/s, by the second half of the hold at 2 mN, .*: 2.* nm at the largest"),
                                    ("0.1 nm/s", "60 nm", "drift: 0.1 nm/s, by --drift: ")):

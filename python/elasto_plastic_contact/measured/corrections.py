@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy
 
 from ..errors import UserError
-from ..zero_point import FEWEST_POINTS, TOLERANCE, continued_loading
+from ..zero_point import FEWEST_POINTS, continued_loading, is_far
 
 # Drift is measured in holds below this share of the largest force, in their second half.
 LOW_FORCE = 0.35
@@ -68,7 +68,8 @@ def known(value, what, example, curve):
 
 
 def from_zero_point(curve, chosen, noise):
-    """chosen: a depth, 'fit', or None: depths stay, and the sentence says how far the loading begins from there."""
+    """chosen: a depth, 'fit', or None: depths stay, and the sentence says how far the loading begins from there, which
+    must not be far. Raises UserError."""
     found = continued_loading(curve.depth, curve.force, noise)
     if chosen is None:
         return curve, remark_on_zero_point(curve, found)
@@ -87,7 +88,12 @@ def from_zero_point(curve, chosen, noise):
 def remark_on_zero_point(curve, found):
     if found is None:
         return "zero point: as in the file"
-    share = abs(found) / max(curve.depth.max() - found, 1e-300)
-    advice = ": far from 0, take it by --zero-point fit" if share > TOLERANCE else ""
+    deepest = curve.depth.max()
+    if is_far(found, curve.depth):
+        raise UserError(f"the depth of the indent '{curve.name}' is not counted from the first contact: its loading, "
+                        f"continued down to the force zero, begins at {1e3 * found:.4g} nm, and the largest depth is "
+                        f"{1e3 * deepest:.4g} nm. Take that as the zero point by --zero-point fit, or say where the tip "
+                        "first touches by --zero-point '5 nm' (0 to keep the depths as they are); in the problem of a "
+                        "fit by \"zero point\"")
     return (f"zero point: 0, as in the file; the loading, continued, begins at {1e3 * found:.4g} nm, "
-            f"{100. * share:.2g} % of the depth{advice}")
+            f"{100. * abs(found) / max(deepest - found, 1e-300):.2g} % of the depth")
