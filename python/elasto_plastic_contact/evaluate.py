@@ -36,7 +36,7 @@ from .measured.curve import in_own_units
 from .measured.order import check_time, check_work
 from .measured.readers import read_raw
 from .measured.results import ResultsTable
-from .measured.units import FACTORS, factor, given_units, tidy
+from .measured.units import FACTORS, differ, factor, given_units, tidy
 from .oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
 from .pyramids import PYRAMIDS
 from .results import Results
@@ -72,10 +72,14 @@ def units_of_run(run, arguments):
     """Length and force of a run, in µm and mN. Raises UserError."""
     found = []
     for kind, given, entry in (("length", arguments.length_unit, "Length"), ("force", arguments.force_unit, "Force")):
-        unit = given or run.parameters.get(f"Output/{entry} unit", "")
+        stands = run.parameters.get(f"Output/{entry} unit", "")
+        unit = given or stands
         if factor(kind, unit) is None:
             raise UserError(f"the run in '{run.directory}' has the unit of {kind} '{unit}', which is none of "
                             f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit")
+        if differ(kind, unit, stands):
+            raise UserError(f"the run in '{run.directory}' says that its unit of {kind} is {stands}, and --{kind}-unit "
+                            f"{given} says otherwise: leave that out")
         found.append(factor(kind, tidy(unit)))
     return found
 

@@ -181,6 +181,9 @@ class Problems(unittest.TestCase):
         self.refuse("'experiments/cone/data' is empty", f"{CONE}/data", [])
         self.refuse("'experiments/cone/units/length' is 'foot', but must be one of pm", f"{CONE}/units",
                     {"length": "foot"})
+        self.refuse("'experiments/cone/units/length' is 'mm', and the case says 'Output/Length unit = µm': leave one of them out",
+                    f"{CONE}/set", {"Output/Length unit": "µm", "Output/Force unit": "N"})
+        self.read(self.changed(f"{CONE}/set", {"Output/Length unit": "mm", "Output/Force unit": "N"}))
         self.refuse("does not say the units of its case, and its data have some", f"{CONE}/units", None)
         self.refuse("experiments/cone/load to: there is no \"time\"", f"{CONE}/load to", "time")
         self.refuse("'experiments/cone/load to' takes a curve, and there is none", DATA,

@@ -14,7 +14,7 @@ from ..measured.corrections import from_zero_point
 from ..measured.evaluation import hold_at_end
 from ..measured.readers import read_curve
 from ..measured.segments import find_segments
-from ..measured.units import FACTORS, factor, value_with_unit
+from ..measured.units import FACTORS, differ, factor, value_with_unit
 from ..study.execution import look_up
 from ..study.plan import check, check_keys, choice, read_columns, read_numbers
 from ..tables import read_table
@@ -66,9 +66,14 @@ def read_units(given, entries, place):
     check_keys(given, f"{place}/units", (), ("length", "force", "time"))
     found = []
     for kind, default in (("length", ""), ("force", ""), ("time", "s")):
-        unit = given.get(kind, entries.get(f"Output/{kind.capitalize()} unit", default))
+        entry = f"Output/{kind.capitalize()} unit"
+        stands = entries.get(entry, default)
+        unit = given.get(kind, stands)
         if unit and factor(kind, str(unit)) is None:
             raise UserError(f"'{place}/units/{kind}' is '{unit}', but must be one of {', '.join(FACTORS[kind])}")
+        if entry in entries and differ(kind, str(unit), stands):
+            raise UserError(f"'{place}/units/{kind}' is '{unit}', and the case says '{entry} = {stands}': leave one of "
+                            "them out")
         found.append(factor(kind, unit) if unit else None)
     return CaseUnits(*found, place)
 
