@@ -215,8 +215,9 @@ class Evaluation(unittest.TestCase):
     def test_zero_point_with_unit(self):
         self.assertEqual(zero_point("5 nm").value, 0.005)
         self.assertEqual((zero_point("fit"), zero_point("5")), ("fit", 5.))
-        with self.assertRaisesRegex(argparse.ArgumentTypeError, "it is 'five', but must be a number"):
-            zero_point("five")
+        for text in ("five", "3 mN"):
+            with self.assertRaisesRegex(argparse.ArgumentTypeError, f"it is '{text}', but must be a depth, such as '5 nm', .* or 'fit'"):
+                zero_point(text)
 
 
 if __name__ == "__main__":

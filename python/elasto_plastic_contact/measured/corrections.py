@@ -52,6 +52,11 @@ def without_frame(curve, chosen):
     if chosen == "instrument":
         compliance = known(curve.notes.frame_compliance, "frame compliance", "--frame-compliance '0.3 nm/mN'", curve)
         source = "the file"
+    whole, of_frame = numpy.ptp(curve.depth), compliance * numpy.ptp(curve.force)
+    if not of_frame < whole:
+        raise UserError(f"the frame compliance of the indent '{curve.name}', {1e3 * compliance:.4g} nm/mN by {source}, is "
+                        f"too large: the frame would take {1e3 * of_frame:.5g} nm of a depth that changes by "
+                        f"{1e3 * whole:.4g} nm. Give a smaller one by --frame-compliance '0.3 nm/mN'")
     stiffness = curve.stiffness
     if stiffness is not None:
         stiffness = stiffness / (1. - compliance * stiffness)
