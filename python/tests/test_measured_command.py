@@ -211,8 +211,8 @@ class Command(unittest.TestCase):
                 ("does not say the drift rate of the instrument: give it by --drift '0.05 nm/s'", "--drift",
                  "instrument"),
                 ("does not say the frame compliance of the instrument: give", "--frame-compliance", "instrument"),
-                ("the frame compliance of the indent '1', 500 nm/mN by --frame-compliance, is too large: the frame would take 10000 nm "
-                 "of a depth that changes by 439.5 nm. Give a smaller one", "--frame-compliance", "0.5 µm/mN"),
+                ("the frame compliance of the indent '1', 500 nm/mN by --frame-compliance, is too large: the frame would "
+                 "take 10000 nm of a depth that changes by 439.5 nm. Give a smaller one", "--frame-compliance", "0.5 µm/mN"),
                 ("argument --zero-point: it is '3 mN', but must be a depth, such as '5 nm'", "--zero-point", "3 mN"),
                 ("no depth beyond its zero point, 9000 nm: its largest one is ", "--zero-point", "9 µm"),
                 ("--length-unit is that of a run, and there is none", "--length-unit", "mm")):

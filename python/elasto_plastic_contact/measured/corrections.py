@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy
 
 from ..errors import UserError
-from ..zero_point import FEWEST_POINTS, continued_loading, is_far
+from ..zero_point import FEWEST_POINTS, by_smaller_parts, continued_loading, is_far
 
 # Drift is measured in holds below this share of the largest force, in their second half.
 LOW_FORCE = 0.35
@@ -83,7 +83,9 @@ def from_zero_point(curve, chosen, noise):
                         f"{FEWEST_POINTS} are needed: give the depth at the first contact by --zero-point '5 nm'")
     zero, source = chosen, "--zero-point"
     if chosen == "fit":
-        zero, source = found, "where the loading, continued, has no force"
+        zero, source = found, "where the loading, continued, has no force" + "".join(
+            f"; by its first {100. * share:g} % of the largest force, {1e3 * part:.4g} nm"
+            for share, part in by_smaller_parts(curve.depth, curve.force, noise).items())
     if not curve.depth.max() > zero:
         raise UserError(f"the indent '{curve.name}' has no depth beyond its zero point, {1e3 * zero:.4g} nm: its "
                         f"largest one is {1e3 * curve.depth.max():.4g} nm. Give another --zero-point")
