@@ -33,9 +33,10 @@ from .errors import UserError
 from .measured.arguments import own_units_only, parse_arguments
 from .measured.columns import given_columns
 from .measured.curve import in_own_units
+from .measured.order import check_time, check_work
 from .measured.readers import read_raw
 from .measured.results import ResultsTable
-from .measured.units import FACTORS, factor, given_units, tidy
+from .measured.units import FACTORS, differ, factor, given_units, tidy
 from .oliver_pharr import HIGHEST_SHARE, LOWEST_SHARE, Tip, Unloading, evaluate, jumps_of_meshes
 from .pyramids import PYRAMIDS
 from .results import Results
@@ -61,6 +62,9 @@ def read_curve(path, columns, factors):
                             f"{numpy.isfinite(values).argmin() + 1}")
     if not curve[1].max() > 0.:
         raise UserError(f"'{path}' has no value of '{columns[1]}' above 0. Turn its sign by --factors")
+    if "time" in rows[0]:
+        check_time(numpy.array([row["time"] for row in rows]), "time", f"'{path}'")
+    check_work(*curve, f"'{path}'")
     return curve
 
 
@@ -68,10 +72,14 @@ def units_of_run(run, arguments):
     """Length and force of a run, in µm and mN. Raises UserError."""
     found = []
     for kind, given, entry in (("length", arguments.length_unit, "Length"), ("force", arguments.force_unit, "Force")):
-        unit = given or run.parameters.get(f"Output/{entry} unit", "")
+        stands = run.parameters.get(f"Output/{entry} unit", "")
+        unit = given or stands
         if factor(kind, unit) is None:
             raise UserError(f"the run in '{run.directory}' has the unit of {kind} '{unit}', which is none of "
                             f"{', '.join(FACTORS[kind])}: give it by --{kind}-unit")
+        if differ(kind, unit, stands):
+            raise UserError(f"the run in '{run.directory}' says that its unit of {kind} is {stands}, and --{kind}-unit "
+                            f"{given} says otherwise: leave that out")
         found.append(factor(kind, tidy(unit)))
     return found
 

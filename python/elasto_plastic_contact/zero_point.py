@@ -11,6 +11,10 @@ from .errors import UserError
 # The shares of the largest force between which the loading is fitted, and how many points that takes.
 LOWEST_SHARE, HIGHEST_SHARE, FEWEST_POINTS = 0.01, 0.50, 5
 
+# Smaller parts of the loading, by their largest share of the force. Where no power law holds, as under a ball from the
+# elastic to the plastic, these begin elsewhere.
+SMALLER_PARTS = (0.20, 0.10)
+
 # The exponents of the loading: 1 of a flat end, 1.5 of an elastic sphere, 2 of a cone or pyramid.
 EXPONENTS = numpy.linspace(1., 2., 21)
 
@@ -18,18 +22,19 @@ EXPONENTS = numpy.linspace(1., 2., 21)
 TOLERANCE = 0.1
 
 
-def loading(depth, force, noise):
-    """The points at which the force is larger than ever before, between the shares of its largest value."""
+def loading(depth, force, noise, highest):
+    """The points at which the force is larger than ever before, between the lowest share of its largest value and the
+    highest one."""
     before = numpy.maximum.accumulate(numpy.append(-numpy.inf, force))[:-1]
     share = force / force.max()
-    rows = (force > before) & (share >= max(LOWEST_SHARE, noise)) & (share <= HIGHEST_SHARE)
+    rows = (force > before) & (share >= max(LOWEST_SHARE, noise)) & (share <= highest)
     return depth[rows], force[rows]
 
 
-def continued_loading(depth, force, noise):
+def continued_loading(depth, force, noise, highest=HIGHEST_SHARE):
     """Where depth = zero point + factor force^(1 / exponent), with the exponent that fits best, has no force;
     None if there are too few points of a loading."""
-    depth, force = loading(depth, force, noise)
+    depth, force = loading(depth, force, noise, highest)
     if len(depth) < FEWEST_POINTS:
         return None
     fits = []
@@ -38,6 +43,17 @@ def continued_loading(depth, force, noise):
         coefficients = numpy.linalg.lstsq(terms, depth, rcond=None)[0]
         fits.append((((terms @ coefficients - depth) ** 2).sum(), coefficients[0]))
     return float(min(fits)[1])
+
+
+def by_smaller_parts(depth, force, noise):
+    """Where smaller parts of the loading begin, by their shares, as far as they have the points."""
+    found = {share: continued_loading(depth, force, noise, share) for share in SMALLER_PARTS}
+    return {share: zero for share, zero in found.items() if zero is not None}
+
+
+def is_far(found, depth):
+    """Whether the continued loading begins too far from the depth zero for that to be the first contact."""
+    return found is not None and found < depth.max() and abs(found) > TOLERANCE * (depth.max() - found)
 
 
 def find_zero_point(depth, force, chosen, noise):
@@ -52,7 +68,7 @@ def find_zero_point(depth, force, chosen, noise):
                             f"loading between {100. * LOWEST_SHARE:g} and {100. * HIGHEST_SHARE:g} % of its largest force, "
                             "beyond the noise. Give the depth at the first contact by --zero-point DEPTH")
         return found
-    if found is not None and found < depth.max() and abs(found) > TOLERANCE * (depth.max() - found):
+    if is_far(found, depth):
         raise UserError(f"the depth of the measured curve is not counted from the first contact: its loading, continued "
                         f"down to the force zero, begins at the depth {found:.4g}, and the largest one is {depth.max():.4g}. "
                         "Take that as the zero point by --zero-point fit, or say where the tip first touches by --zero-point "

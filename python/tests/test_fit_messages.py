@@ -181,6 +181,9 @@ class Problems(unittest.TestCase):
         self.refuse("'experiments/cone/data' is empty", f"{CONE}/data", [])
         self.refuse("'experiments/cone/units/length' is 'foot', but must be one of pm", f"{CONE}/units",
                     {"length": "foot"})
+        self.refuse("'experiments/cone/units/length' is 'mm', and the case says 'Output/Length unit = µm': leave one of "
+                    "them out", f"{CONE}/set", {"Output/Length unit": "µm", "Output/Force unit": "N"})
+        self.read(self.changed(f"{CONE}/set", {"Output/Length unit": "mm", "Output/Force unit": "N"}))
         self.refuse("does not say the units of its case, and its data have some", f"{CONE}/units", None)
         self.refuse("experiments/cone/load to: there is no \"time\"", f"{CONE}/load to", "time")
         self.refuse("'experiments/cone/load to' takes a curve, and there is none", DATA,
@@ -210,6 +213,20 @@ class Problems(unittest.TestCase):
         self.refuse_data("noise' is zero for some values", curve="curve.csv", noise={"relative": 0})
         (self.folder / "load.csv").write_text("\n".join(CURVE.splitlines()[:40]))
         self.refuse_data("has no unloading; leave 'unload' out", curve="load.csv", segments=["load", "unload"])
+
+    def test_curve_that_does_not_begin_at_the_contact(self):
+        """Is refused unless the problem says its zero point."""
+        rows = numpy.loadtxt(self.folder / "curve.csv", delimiter=",", skiprows=1) + [20., 0.]
+        numpy.savetxt(self.folder / "shifted.csv", rows, delimiter=",", header="Depth (µm),Force (N)", comments="",
+                      encoding="utf-8")
+        self.refuse_data("is not counted from the first contact: .* begins at 2e.04 nm, .* in the problem of a fit by "
+                         "\"zero point\"", curve="shifted.csv")
+        fitted = "'shifted.csv': zero point: 2e.04 nm, .* Errors and regions take it for exact"
+        for zero, remarks in (("20 µm", []), ("0 nm", []), ("fit", [fitted])):
+            found = self.read(self.changed(DATA, {"curve": "shifted.csv", "zero point": zero})).remarks()
+            self.assertEqual(len(found), len(remarks))
+            for remark, pattern in zip(found, remarks):
+                self.assertRegex(remark, pattern)
 
     def test_holds(self):
         """Depths over the time since the hold began, in units of the case, also of a load that is not unloaded."""

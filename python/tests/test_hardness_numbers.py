@@ -112,6 +112,9 @@ class HardnessNumbers(unittest.TestCase):
             with self.assertRaisesRegex(UserError, "unit of length '', which is none of .*: give it by --length-unit"):
                 evaluated(folder)
             self.assertIn("HV", evaluated(folder, "--length-unit", "mm", "--force-unit", "N"))
+            write_run(folder, VICKERS)
+            with self.assertRaisesRegex(UserError, "says that its unit of force is N, and --force-unit mN says otherwise: leave that"):
+                evaluated(folder, "--length-unit", "mm", "--force-unit", "mN")
             for options in (("--json", "found.json"), ("--vickers",), ("--beta", "1.05")):
                 with self.assertRaisesRegex(UserError, f"{options[0]} is for curves, and '.*' is a folder: leave it out, or"):
                     evaluated(folder, *options)

@@ -118,10 +118,11 @@ class Command(unittest.TestCase):
         curve = indent((10., 20.), hold=5., drift=1e-4)
         path = self.write("changed.txt",
                           MeasuredCurve("1", curve.depth + 2e-3 * curve.force + 0.06, curve.force, curve.time))
-        process = self.command(path, "--area", SHARP)
-        self.assertRegex(process.stdout,
-                         "zero point: 0, as in the file; the loading, continued, begins at 6[0-9.]+ nm, [0-9.]+ % of the "
-                         "depth: far from 0, take it by --zero-point fit")
+        self.expect_message("the depth of the indent '1' is not counted from the first contact: .* begins at 6[0-9.]+ nm, .* "
+                            "by --zero-point fit, or .* --zero-point '5 nm'", path, "--area", SHARP)
+        self.assertRegex(self.command(path, "--area", SHARP, "--zero-point", 0).stdout, "zero point: 0 nm, --zero-point")
+        self.assertRegex(self.command(self.file, "--area", SHARP).stdout,
+                         "zero point: 0, as in the file; the loading, continued, begins at [-0-9.e]+ nm, [-0-9.e]+ % of the depth\n")
         for drift, zero, words in (("hold", "fit",
                                     "drift: 0.1 nm/s, by the second half of the hold at 2 mN, .*: 2.* nm at the largest"),
                                    ("0.1 nm/s", "60 nm", "drift: 0.1 nm/s, by --drift: ")):
@@ -210,6 +211,9 @@ class Command(unittest.TestCase):
                 ("does not say the drift rate of the instrument: give it by --drift '0.05 nm/s'", "--drift",
                  "instrument"),
                 ("does not say the frame compliance of the instrument: give", "--frame-compliance", "instrument"),
+                ("the frame compliance of the indent '1', 500 nm/mN by --frame-compliance, is too large: the frame would "
+                 "take 10000 nm of a depth that changes by 439.5 nm. Give a smaller one", "--frame-compliance", "0.5 µm/mN"),
+                ("argument --zero-point: it is '3 mN', but must be a depth, such as '5 nm'", "--zero-point", "3 mN"),
                 ("no depth beyond its zero point, 9000 nm: its largest one is ", "--zero-point", "9 µm"),
                 ("--length-unit is that of a run, and there is none", "--length-unit", "mm")):
             with self.subTest(words):
@@ -226,6 +230,21 @@ class Command(unittest.TestCase):
         no_time = self.folder / "no_time.txt"
         no_time.write_text("Depth (nm)\tLoad (mN)\n" + "".join(f"{h}\t{f}\n" for h, f in zip(curve.depth, curve.force)))
         self.expect_message("has no time, and its drift is a rate", no_time, "--drift", "0.1 nm/s")
+
+    def test_rows_that_are_not_in_the_order_of_time(self):
+        """Read backwards, with a time and without, with units and without, and a time that falls on the way."""
+        curve = indent()
+        rows = numpy.column_stack([curve.time, 1e3 * curve.depth, curve.force])
+        fallen = numpy.where(numpy.arange(len(rows)) < 200, rows.T, rows.T - [[5.], [0.], [0.]]).T
+        heads = ("Time (s)", "Depth (nm)", "Load (mN)"), ("time", "depth", "force")
+        falls, works = "has a time that falls from .* in row {} to .* .column '{}'.: .*sort them", "gives back more work .*sort them"
+        for head, table, first, message in ((heads[0], rows[::-1], 0, falls.format(1, "Time .s.")),
+                                            (heads[1], rows[::-1], 0, falls.format(1, "time")),
+                                            (heads[0], fallen, 0, falls.format(200, "Time .s.")),
+                                            (heads[0], rows[::-1], 1, works), (heads[1], rows[::-1], 1, works)):
+            path = self.folder / "order.csv"
+            numpy.savetxt(path, table[:, first:], delimiter=",", header=",".join(head[first:]), comments="")
+            self.expect_message(f"order.csv'.*{message}", path, "--berkovich")
 
     def test_missing_library(self):
         """Of a kind of file that is not read otherwise."""

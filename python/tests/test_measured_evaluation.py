@@ -4,13 +4,14 @@
 
 import argparse
 import math
+import re
 import unittest
 
 import numpy
 
 from elasto_plastic_contact.measured import MeasuredCurve
 from elasto_plastic_contact.measured.arguments import zero_point
-from elasto_plastic_contact.measured.corrections import drift_in_hold
+from elasto_plastic_contact.measured.corrections import drift_in_hold, from_zero_point
 from elasto_plastic_contact.measured.creep import integral
 from elasto_plastic_contact.measured.curve import Notes
 from elasto_plastic_contact.measured.evaluation import Constants, evaluate_indent, statistics
@@ -212,11 +213,22 @@ class Evaluation(unittest.TestCase):
         self.assertEqual(found["stiffness"], {"mean": 2., "deviation": math.sqrt(2.), "number": 2})
         self.assertEqual(found["exponent"], {"mean": 2., "deviation": None, "number": 1})
 
+    def test_zero_point_by_parts_of_the_loading(self):
+        """Where one power holds, all parts begin at the same depth; where it changes, they do not, as the sentence says."""
+        force = numpy.linspace(0., 10., 400)
+        for depth, spread in ((numpy.sqrt(force), 0.), (force ** (2. / 3.) + 0.3 * force, 27.8)):
+            _, sentence = from_zero_point(MeasuredCurve("1", depth + 0.005, force), "fit", 0.01)
+            found = re.search("zero point: (.*) nm, where .*; by its first 20 % of the largest force, (.*) nm; "
+                              "by its first 10 % of the largest force, (.*) nm", sentence)
+            self.assertAlmostEqual(numpy.ptp([float(number) for number in found.groups()]), spread, delta=0.1)
+
     def test_zero_point_with_unit(self):
         self.assertEqual(zero_point("5 nm").value, 0.005)
         self.assertEqual((zero_point("fit"), zero_point("5")), ("fit", 5.))
-        with self.assertRaisesRegex(argparse.ArgumentTypeError, "it is 'five', but must be a number"):
-            zero_point("five")
+        for text in ("five", "3 mN"):
+            with self.assertRaisesRegex(argparse.ArgumentTypeError,
+                                        f"it is '{text}', but must be a depth, such as '5 nm', .* or 'fit'"):
+                zero_point(text)
 
 
 if __name__ == "__main__":

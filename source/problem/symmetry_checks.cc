@@ -242,9 +242,8 @@ namespace ElastoPlastic
   {
     if (model.strain_model.kinematics == Kinematics::axisymmetric)
       return;
-    constexpr double rounding  = 1e-6;
-    const double     size      = body_size(triangulation);
-    bool             is_unlike = false;
+    const double size      = body_size(triangulation);
+    bool         is_unlike = false;
     rethrow_collectively(communicator_of(triangulation), [&]() {
       for (const Tensor<1, 3> &normal :
            distinct_normals(points_of_symmetry(model, triangulation)))

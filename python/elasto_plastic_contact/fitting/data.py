@@ -14,7 +14,7 @@ from ..measured.corrections import from_zero_point
 from ..measured.evaluation import hold_at_end
 from ..measured.readers import read_curve
 from ..measured.segments import find_segments
-from ..measured.units import FACTORS, factor, value_with_unit
+from ..measured.units import FACTORS, differ, factor, value_with_unit
 from ..study.execution import look_up
 from ..study.plan import check, check_keys, choice, read_columns, read_numbers
 from ..tables import read_table
@@ -66,9 +66,14 @@ def read_units(given, entries, place):
     check_keys(given, f"{place}/units", (), ("length", "force", "time"))
     found = []
     for kind, default in (("length", ""), ("force", ""), ("time", "s")):
-        unit = given.get(kind, entries.get(f"Output/{kind.capitalize()} unit", default))
+        entry = f"Output/{kind.capitalize()} unit"
+        stands = entries.get(entry, default)
+        unit = given.get(kind, stands)
         if unit and factor(kind, str(unit)) is None:
             raise UserError(f"'{place}/units/{kind}' is '{unit}', but must be one of {', '.join(FACTORS[kind])}")
+        if entry in entries and differ(kind, str(unit), stands):
+            raise UserError(f"'{place}/units/{kind}' is '{unit}', and the case says '{entry} = {stands}': leave one of "
+                            "them out")
         found.append(factor(kind, unit) if unit else None)
     return CaseUnits(*found, place)
 
@@ -94,7 +99,9 @@ def read_curves(data, place, folder, units):
         curves = read_curve(folder / name, data.get("columns"), data.get("units"))
         for number_of in chosen_indents(data, place, len(curves)):
             suffix = f", indent {number_of}" if len(curves) > 1 else ""
-            blocks += blocks_of_curve(curves[number_of - 1], data, place, f"{name}{suffix}", units)
+            curve, remark = with_zero_point(curves[number_of - 1], data, place, f"{name}{suffix}")
+            blocks += [replace(block, remark=remark)
+                       for block in blocks_of_curve(curve, data, place, f"{name}{suffix}", units)]
     return blocks
 
 
@@ -110,7 +117,6 @@ def blocks_of_curve(curve, data, place, name, units):
     if data.get("segments") in ("hold", ["hold"]):
         return [block_of_hold(curve, data, place, name, units)]
     compared = choice(data.get("compare", "force"), f"{place}/compare", ["force", "depth"])
-    curve = with_zero_point(curve, data, place)
     scales = {quantity: units.of(powers) for quantity, powers in POWERS.items()}
     segments = segments_of(curve, data, place)
     wanted = texts(data, "segments", place) if "segments" in data else [kind for kind in CURVES if kind in segments]
@@ -145,7 +151,6 @@ def block_of_hold(curve, data, place, name, units):
     if curve.time is None:
         raise UserError(f"'{place}': the curve '{name}' has no time, which its hold takes: say which column it is by "
                         "'columns', and its unit by 'units'")
-    curve = with_zero_point(curve, data, place)
     hold = segments_of(curve, data, place).get("hold")
     if hold is None:
         raise UserError(f"'{place}': the curve '{name}' has no hold at its largest force")
@@ -156,14 +161,16 @@ def block_of_hold(curve, data, place, name, units):
                     curve.depth[rows] / length, hold_at, ("time", "depth"))
 
 
-def with_zero_point(curve, data, place):
+def with_zero_point(curve, data, place, name):
+    """The curve from its zero point, and a sentence on one that is fitted, else an empty one."""
     chosen = data.get("zero point")
     if chosen is not None and chosen != "fit":
         try:
             chosen = value_with_unit(str(chosen), "length", "nm")
         except ValueError as error:
             raise UserError(f"'{place}/zero point': {error}, or \"fit\"") from None
-    return from_zero_point(curve, chosen, TURN)[0]
+    curve, sentence = from_zero_point(curve, chosen, TURN)
+    return curve, f"'{name}': {sentence}. Errors and regions take it for exact" if chosen == "fit" else ""
 
 
 def segments_of(curve, data, place):

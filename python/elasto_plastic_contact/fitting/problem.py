@@ -42,7 +42,8 @@ class Block:
     """Numbers that are measured in one go, and how to find their like in the Results of a run, in units of the case.
 
     kind: load, unload, hold, imprint, columns or quantity. x: places (empty for a quantity); y: what was measured there
-    (nan in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y."""
+    (nan in a candidate); sigma: standard deviations, or weights if the noise is not known. labels: of x and y.
+    remark: a sentence on what has been assumed, empty if there is none."""
     name: str
     kind: str
     x: numpy.ndarray
@@ -50,6 +51,7 @@ class Block:
     sigma: numpy.ndarray
     predict: object
     labels: tuple = ("", "")
+    remark: str = ""
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,10 @@ class Problem:
 
     def blocks(self):
         return [(experiment, block) for experiment in self.experiments for block in experiment.blocks]
+
+    def remarks(self):
+        """Sentences on what has been assumed of the data."""
+        return list(dict.fromkeys(block.remark for _, block in self.blocks() if block.remark))
 
 
 def case_of(path, entries, ranks, program=None):

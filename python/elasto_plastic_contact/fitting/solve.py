@@ -185,7 +185,7 @@ def fit(problem, folder, program, at_once, report):
         points = family(best.x, ends, found.threshold)
         width = float(stats.norm.ppf(0.5 * (1. + LEVEL)))
         planned = candidates(problem, runs, best.x, best.jacobian, found.scale, solver.step)
-        remarks = [remark for remark in (best.remark, found.remark) if remark]
+        remarks = [*problem.remarks(), *filter(None, (best.remark, found.remark))]
         if (better := better_point(ends, found.threshold)) is not None:
             remarks.append(f"there is a better point at {solver.in_words(better)}: begin there, by 'start'")
         return Fit(

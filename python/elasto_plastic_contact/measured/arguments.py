@@ -17,7 +17,12 @@ def zero_point(text):
     try:
         return Length(value_with_unit(text, "length", "nm"))
     except ValueError:
+        pass
+    try:
         return number()(text)
+    except argparse.ArgumentTypeError:
+        raise argparse.ArgumentTypeError(f"it is '{text}', but must be a depth, such as '5 nm', without a unit in that of the "
+                                         "file, or 'fit'") from None
 
 
 def with_unit(kind, unit, *words):

@@ -12,6 +12,7 @@ from ..errors import UserError
 from .blocks import FEWEST_ROWS
 from .curve import MeasuredCurve, Notes
 from .headings import columns_of, indent_column, key, unit_of
+from .order import check_time, check_work
 from .units import KINDS, split_name
 
 # The time begins again if it falls below that share of the largest one so far.
@@ -225,7 +226,7 @@ def own_name(title, i, curves):
 
 def tidied(curve, path):
     """Without rows that lack a number, or a stiffness that is nowhere, and with depth and force that grow into the
-    body. Raises UserError."""
+    body. Raises UserError, also of rows that are not in the order of time."""
     if curve.stiffness is not None and not (curve.stiffness > 0.).any():
         curve = replace(curve, stiffness=None)
     if curve.time is not None and not numpy.isfinite(curve.time).any():
@@ -244,7 +245,15 @@ def tidied(curve, path):
     if not curve.force.any():
         raise UserError(f"'{path}' has the force 0 in all rows of the indent '{curve.name}', in the column "
                         f"'{curve.columns['force']}': that is no curve. Choose by --columns")
-    return with_right_signs(curve)
+    return in_order(with_right_signs(curve), path)
+
+
+def in_order(curve, path):
+    what = f"'{path}', indent '{curve.name}',"
+    if curve.time is not None:
+        check_time(curve.time, curve.columns["time"], what)
+    check_work(curve.depth, curve.force, what)
+    return curve
 
 
 def with_right_signs(curve):

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy
 
 from ..errors import UserError
-from ..zero_point import FEWEST_POINTS, TOLERANCE, continued_loading
+from ..zero_point import FEWEST_POINTS, by_smaller_parts, continued_loading, is_far
 
 # Drift is measured in holds below this share of the largest force, in their second half.
 LOW_FORCE = 0.35
@@ -52,6 +52,11 @@ def without_frame(curve, chosen):
     if chosen == "instrument":
         compliance = known(curve.notes.frame_compliance, "frame compliance", "--frame-compliance '0.3 nm/mN'", curve)
         source = "the file"
+    whole, of_frame = numpy.ptp(curve.depth), compliance * numpy.ptp(curve.force)
+    if not of_frame < whole:
+        raise UserError(f"the frame compliance of the indent '{curve.name}', {1e3 * compliance:.4g} nm/mN by {source}, is "
+                        f"too large: the frame would take {1e3 * of_frame:.5g} nm of a depth that changes by "
+                        f"{1e3 * whole:.4g} nm. Give a smaller one by --frame-compliance '0.3 nm/mN'")
     stiffness = curve.stiffness
     if stiffness is not None:
         stiffness = stiffness / (1. - compliance * stiffness)
@@ -68,7 +73,8 @@ def known(value, what, example, curve):
 
 
 def from_zero_point(curve, chosen, noise):
-    """chosen: a depth, 'fit', or None: depths stay, and the sentence says how far the loading begins from there."""
+    """chosen: a depth, 'fit', or None: depths stay, and the sentence says how far the loading begins from there, which
+    must not be far. Raises UserError."""
     found = continued_loading(curve.depth, curve.force, noise)
     if chosen is None:
         return curve, remark_on_zero_point(curve, found)
@@ -77,7 +83,9 @@ def from_zero_point(curve, chosen, noise):
                         f"{FEWEST_POINTS} are needed: give the depth at the first contact by --zero-point '5 nm'")
     zero, source = chosen, "--zero-point"
     if chosen == "fit":
-        zero, source = found, "where the loading, continued, has no force"
+        zero, source = found, "where the loading, continued, has no force" + "".join(
+            f"; by its first {100. * share:g} % of the largest force, {1e3 * part:.4g} nm"
+            for share, part in by_smaller_parts(curve.depth, curve.force, noise).items())
     if not curve.depth.max() > zero:
         raise UserError(f"the indent '{curve.name}' has no depth beyond its zero point, {1e3 * zero:.4g} nm: its "
                         f"largest one is {1e3 * curve.depth.max():.4g} nm. Give another --zero-point")
@@ -87,7 +95,12 @@ def from_zero_point(curve, chosen, noise):
 def remark_on_zero_point(curve, found):
     if found is None:
         return "zero point: as in the file"
-    share = abs(found) / max(curve.depth.max() - found, 1e-300)
-    advice = ": far from 0, take it by --zero-point fit" if share > TOLERANCE else ""
+    deepest = curve.depth.max()
+    if is_far(found, curve.depth):
+        raise UserError(f"the depth of the indent '{curve.name}' is not counted from the first contact: its loading, "
+                        f"continued down to the force zero, begins at {1e3 * found:.4g} nm, and the largest depth is "
+                        f"{1e3 * deepest:.4g} nm. Take that as the zero point by --zero-point fit, or say where the tip "
+                        "first touches by --zero-point '5 nm' (0 to keep the depths as they are); in the problem of a "
+                        "fit by \"zero point\"")
     return (f"zero point: 0, as in the file; the loading, continued, begins at {1e3 * found:.4g} nm, "
-            f"{100. * share:.2g} % of the depth{advice}")
+            f"{100. * abs(found) / max(deepest - found, 1e-300):.2g} % of the depth")

@@ -50,6 +50,11 @@ def factor(kind, unit):
     return FACTORS[kind].get(tidy(unit))
 
 
+def differ(kind, first, second):
+    """Whether both are units of this kind, and not the same one."""
+    return len({factor(kind, first), factor(kind, second)} - {None}) == 2
+
+
 def is_unit(text):
     """Whether the text is a unit of any kind, also in brackets."""
     unit = tidy(text.strip().strip("()[]"))
