@@ -47,7 +47,12 @@ namespace ElastoPlastic
     step.make_body();
     check_contact_boundaries(model, body.triangulation());
     if (body.gap_function().has_indenter())
-      check_symmetry_of_materials(model, body.triangulation());
+      {
+        check_symmetry_of_materials(model, body.triangulation());
+        check_symmetry_of_indenter(model,
+                                   body.gap_function(),
+                                   body.triangulation());
+      }
     check_field_times(parameters.output, model.load_program);
     check_loads(model, step.times(), body.dof_handler(), body.triangulation());
     check_supports(model,
@@ -77,9 +82,6 @@ namespace ElastoPlastic
                     step.times(),
                     parameters.loading,
                     adaptation.min_gap());
-        check_symmetry_of_indenter(model,
-                                   body.gap_function(),
-                                   body.triangulation());
         check_width(body.gap_function(), body.triangulation());
         check_depth(model,
                     step.times(),

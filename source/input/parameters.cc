@@ -196,9 +196,9 @@ namespace ElastoPlastic
     check_friction_and_path();
     loading.check();
     material.check();
-    check_places_of_materials();
     check_integration();
     check_yield_criterion();
+    check_places_of_materials();
     indenter.check(dimension);
     refinement.check();
     if (refinement.goal == RefinementGoal::force &&
