@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 
+import elasto_plastic_contact
 from commands import command
 from elasto_plastic_contact import Results, UserError, run
 from elasto_plastic_contact.evaluate import run_to_compare, tip_of_run
@@ -318,6 +319,8 @@ class Commands(unittest.TestCase):
                                  capture_output=True, text=True, check=False)
         self.assertEqual(process.returncode, 2)
         self.assertRegex(process.stderr, "invalid choice: 'verify'")
+        for module in pathlib.Path(elasto_plastic_contact.__file__).parent.rglob("*.py"):
+            self.assertNotRegex(module.read_text(encoding="utf-8"), r"(from|import) +\.*tools\b", module)
 
 
 if __name__ == "__main__":

@@ -19,10 +19,10 @@ from tools.pages.fits import content_of_changes, content_of_cones, content_of_me
 from tools.pages.places import fill, names
 from elasto_plastic_contact.schema import check_path
 from tools.verification.curve_and_imprint import (DEPTH, LOADING, NOISE, PAIR, PLACES, STEP, UNLOADING,
-                                                                   coordinates_of, entries, residuals, standard_errors)
+                                               coordinates_of, entries, residuals, standard_errors)
 from tools.verification.curve_and_imprint_fit import FITS, problem_of_fit
 from tools.verification.published_metals import (CONE, CONE_WITH_SLOPE, METALS, PYRAMID, SLOPE,
-                                                                    problem_of, published_functions, tensile_entries)
+                                            problem_of, published_functions, tensile_entries)
 from tools.verification import two_cones
 from tools.verification.two_cones import ROWS, compare_with_material, compare_with_published
 from tools.verification.two_cones import problem_of as problem_of_known

@@ -14,7 +14,7 @@ import unittest
 import numpy
 
 from commands import command
-from elasto_plastic_contact import run
+from elasto_plastic_contact import read_curve, run
 from elasto_plastic_contact.measured import MeasuredCurve
 from elasto_plastic_contact.measured.tips import read_area
 from test_measured_evaluation import HARDNESS, REDUCED, SHARP, indent
@@ -211,8 +211,8 @@ class Command(unittest.TestCase):
                 ("does not say the drift rate of the instrument: give it by --drift '0.05 nm/s'", "--drift",
                  "instrument"),
                 ("does not say the frame compliance of the instrument: give", "--frame-compliance", "instrument"),
-                ("the frame compliance of the indent '1', 500 nm/mN by --frame-compliance, is too large: the frame would "
-                 "take 10000 nm of a depth that changes by 439.5 nm. Give a smaller one", "--frame-compliance", "0.5 µm/mN"),
+                ("the frame compliance of the indent '1', 12 nm/mN by --frame-compliance, is too large: the frame would "
+                 "take 216 nm of a depth that changes by 188.5 nm. Give a smaller one", "--frame-compliance", "12 nm/mN"),
                 ("argument --zero-point: it is '3 mN', but must be a depth, such as '5 nm'", "--zero-point", "3 mN"),
                 ("no depth beyond its zero point, 9000 nm: its largest one is ", "--zero-point", "9 µm"),
                 ("--length-unit is that of a run, and there is none", "--length-unit", "mm")):
@@ -245,6 +245,22 @@ class Command(unittest.TestCase):
             path = self.folder / "order.csv"
             numpy.savetxt(path, table[:, first:], delimiter=",", header=",".join(head[first:]), comments="")
             self.expect_message(f"order.csv'.*{message}", path, "--berkovich")
+
+    def test_order_of_time_that_is_right(self):
+        """A time that stands still, a tip that is pulled off, a preload, rows of zeros at the end."""
+        curve = indent()
+        rows = numpy.column_stack([curve.time, 1e3 * curve.depth, curve.force])
+        twice = numpy.repeat(rows, 2, axis=0)
+        pulled = numpy.vstack([rows, rows[-1] + [[1., -5., -0.05 * curve.force.max()]]])
+        zeros = numpy.vstack([rows, numpy.zeros((3, 3))])
+        half = 0.4 * curve.force.max()
+        preloaded = rows[int(numpy.flatnonzero(curve.force > half)[0]):int(numpy.flatnonzero(curve.force > half)[-1])]
+        for table in (twice, pulled, zeros, preloaded):
+            path = self.folder / "right.csv"
+            numpy.savetxt(path, table, delimiter=",", header="Time (s),Depth (nm),Load (mN)", comments="")
+            read_curve(path)
+        numpy.savetxt(path, zeros, delimiter=",", header="Time (s),Depth (nm),Load (mN)", comments="")
+        self.assertEqual(len(read_curve(path)[0].depth), len(rows))
 
     def test_missing_library(self):
         """Of a kind of file that is not read otherwise."""

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -150,48 +151,102 @@ namespace ElastoPlastic
 
 
 
-    /// Whether the indenter is as high above most points around its tip as
-    /// above their mirror images: those that are made of triangles or pixels
-    /// may differ in some. @p size is that of the body.
+    /// The gap at a point, or infinity where an expression has no value, as may
+    /// be beyond the body.
+    template <int dim>
+    double
+    gap_if_any(const GapFunction<dim> &gap_function, const Point<dim> &x)
+    {
+      try
+        {
+          return gap_function.value(x);
+        }
+      catch (const InputError &)
+        {
+          return std::numeric_limits<double>::infinity();
+        }
+    }
+
+
+
+    /// The gaps on a circle of this @p radius around the tip and at the mirror
+    /// images, where there are any; in two dimensions at points within.
+    template <int dim>
+    std::vector<std::array<double, 2>>
+    gaps_and_images(const GapFunction<dim> &gap_function,
+                    const Point<dim>       &tip,
+                    const Tensor<1, dim>   &normal,
+                    const double            radius)
+    {
+      constexpr unsigned int             n_directions = 12;
+      std::vector<std::array<double, 2>> result;
+      for (unsigned int k = 0; k < n_directions; ++k)
+        {
+          // (no direction of a usual pyramid)
+          const double   angle = 0.1 + 2. * numbers::PI * k / n_directions;
+          Tensor<1, dim> offset;
+          offset[0] = radius * std::cos(angle);
+          if (dim == 3)
+            offset[1] = radius * std::sin(angle);
+          const Tensor<1, dim> image = offset - 2. * (offset * normal) * normal;
+          const std::array<double, 2> gaps = {
+            {gap_if_any(gap_function, tip + offset),
+             gap_if_any(gap_function, tip + image)}};
+          if (std::isfinite(gaps[0]) || std::isfinite(gaps[1]))
+            result.push_back(gaps);
+        }
+      return result;
+    }
+
+
+
+    /// Whether the indenter is as high above most points around its position as
+    /// above their mirror images, on the outermost circles that it reaches:
+    /// within, a tip may be rounded, or consist of few triangles or pixels.
+    /// @p size is that of the body.
     template <int dim>
     bool
     is_symmetric_about_plane(const GapFunction<dim> &gap_function,
-                             const Tensor<1, 3>     &normal,
+                             const Tensor<1, 3>     &normal_in_space,
                              const double            size)
     {
-      constexpr unsigned int n_radii = 32, n_directions = 12;
-      constexpr double       ratio = 0.7, like = 0.01, rounding = 1e-6;
+      constexpr unsigned int n_circles = 8, n_trials = 32;
+      constexpr double       ratio = 0.7, like = 0.05, rounding = 1e-6;
 
       Point<dim>     tip;
-      Tensor<1, dim> across;
+      Tensor<1, dim> normal;
       for (unsigned int d = 0; d < dim - 1; ++d)
         {
           tip[d]    = gap_function.position()[d];
-          across[d] = normal[d];
+          normal[d] = normal_in_space[d];
         }
-      const double lowest = gap_function.value(tip);
-      int          n_like = 0, n_unlike = 0;
-      double       radius = size;
-      for (unsigned int i = 0; i < n_radii; ++i, radius *= ratio)
-        for (unsigned int k = 0; k < n_directions; ++k)
-          {
-            const double   angle = i + 2. * numbers::PI * k / n_directions;
-            Tensor<1, dim> offset;
-            offset[0] = radius * std::cos(angle);
-            if (dim == 3)
-              offset[1] = radius * std::sin(angle);
-            const double gap      = gap_function.value(tip + offset);
-            const double of_image = gap_function.value(
-              tip + offset - 2. * (offset * across) * across);
-            if (std::isinf(gap) && std::isinf(of_image))
-              continue;
-            const bool is_like =
-              std::isfinite(gap) && std::isfinite(of_image) &&
-              std::abs(gap - of_image) <=
-                like * (std::max(gap, of_image) - lowest) + rounding * radius;
-            ++(is_like ? n_like : n_unlike);
-          }
-      return n_unlike <= n_like;
+      unsigned int n_reached = 0;
+      int          balance   = 0; // of like and unlike pairs
+      double       radius    = size;
+      for (unsigned int i = 0; i < n_trials && n_reached < n_circles;
+           ++i, radius *= ratio)
+        {
+          const auto pairs = gaps_and_images(gap_function, tip, normal, radius);
+          std::vector<double> heights = {gap_if_any(gap_function, tip)};
+          for (const auto &gaps : pairs)
+            heights.insert(heights.end(), gaps.begin(), gaps.end());
+          heights.erase(std::remove_if(heights.begin(),
+                                       heights.end(),
+                                       [](const double gap) {
+                                         return std::isinf(gap);
+                                       }),
+                        heights.end());
+          if (pairs.empty())
+            continue;
+          ++n_reached;
+          const auto [lowest, highest] =
+            std::minmax_element(heights.begin(), heights.end());
+          const double allowed =
+            like * (*highest - *lowest) + rounding * radius;
+          for (const auto &[gap, of_image] : pairs)
+            balance += std::abs(gap - of_image) <= allowed ? 1 : -1;
+        }
+      return balance >= 0;
     }
   } // namespace
 
@@ -255,9 +310,10 @@ namespace ElastoPlastic
         "The rollers through 'Indenter/Position' make a plane of symmetry of "
         "the body, but the indenter is not symmetric about that: half of it "
         "would press as if its mirror image were the other half. Turn it "
-        "('Indenter/Rotation') so that the plane is one of its own, choose "
-        "another part of the body (half of it, or 'Geometry/Sector angle'), or "
-        "model the whole body.");
+        "('Indenter/Rotation') so that the plane is one of its own, type both "
+        "sides of an 'Indenter/Expression' (abs(x) for x), choose another part "
+        "of the body (half of it, or 'Geometry/Sector angle'), or model the "
+        "whole body.");
   }
 
 

@@ -245,7 +245,19 @@ def tidied(curve, path):
     if not curve.force.any():
         raise UserError(f"'{path}' has the force 0 in all rows of the indent '{curve.name}', in the column "
                         f"'{curve.columns['force']}': that is no curve. Choose by --columns")
-    return in_order(with_right_signs(curve), path)
+    return in_order(with_right_signs(without_zeros_at_end(curve)), path)
+
+
+def without_zeros_at_end(curve):
+    """Some instruments end a curve by rows of zeros."""
+    if curve.time is None:
+        return curve
+    holds = (curve.depth != 0.) | (curve.force != 0.) | (curve.time != 0.)
+    n = len(holds) - 1 - int(numpy.flatnonzero(holds)[-1])
+    if n == 0:
+        return curve
+    curve = replace(curve, **{quantity: getattr(curve, quantity)[:-n] for quantity in curve.quantities()})
+    return curve.with_remark(f"{n} rows of zeros at the end are left out")
 
 
 def in_order(curve, path):

@@ -52,17 +52,27 @@ def without_frame(curve, chosen):
     if chosen == "instrument":
         compliance = known(curve.notes.frame_compliance, "frame compliance", "--frame-compliance '0.3 nm/mN'", curve)
         source = "the file"
-    whole, of_frame = numpy.ptp(curve.depth), compliance * numpy.ptp(curve.force)
-    if not of_frame < whole:
+    depth, force = changes_of_unloading(curve)
+    if not compliance * force < depth:
         raise UserError(f"the frame compliance of the indent '{curve.name}', {1e3 * compliance:.4g} nm/mN by {source}, is "
-                        f"too large: the frame would take {1e3 * of_frame:.5g} nm of a depth that changes by "
-                        f"{1e3 * whole:.4g} nm. Give a smaller one by --frame-compliance '0.3 nm/mN'")
+                        f"too large: the frame would take {1e3 * compliance * force:.5g} nm of a depth that changes by "
+                        f"{1e3 * depth:.4g} nm. Give a smaller one by --frame-compliance '0.3 nm/mN'")
     stiffness = curve.stiffness
     if stiffness is not None:
         stiffness = stiffness / (1. - compliance * stiffness)
     return replace(curve, depth=curve.depth - compliance * curve.force, stiffness=stiffness), (
         f"frame: {1e3 * compliance:.4g} nm/mN, by {source}: {1e3 * compliance * curve.force.max():.4g} nm at the "
         "largest force")
+
+
+def changes_of_unloading(curve):
+    """Of depth and force, from the largest force to the smallest one behind it; of the whole curve if it does not unload
+    by half."""
+    peak = int(curve.force.argmax())
+    low = peak + int(curve.force[peak:].argmin())
+    if curve.force[low] < 0.5 * curve.force[peak]:
+        return curve.depth[peak] - curve.depth[low], curve.force[peak] - curve.force[low]
+    return numpy.ptp(curve.depth), numpy.ptp(curve.force)
 
 
 def known(value, what, example, curve):
@@ -100,7 +110,7 @@ def remark_on_zero_point(curve, found):
         raise UserError(f"the depth of the indent '{curve.name}' is not counted from the first contact: its loading, "
                         f"continued down to the force zero, begins at {1e3 * found:.4g} nm, and the largest depth is "
                         f"{1e3 * deepest:.4g} nm. Take that as the zero point by --zero-point fit, or say where the tip "
-                        "first touches by --zero-point '5 nm' (0 to keep the depths as they are); in the problem of a "
+                        "first touches by --zero-point '5 nm' ('0 nm' to keep the depths as they are); in the problem of a "
                         "fit by \"zero point\"")
     return (f"zero point: 0, as in the file; the loading, continued, begins at {1e3 * found:.4g} nm, "
             f"{100. * abs(found) / max(deepest - found, 1e-300):.2g} % of the depth")

@@ -9,9 +9,6 @@ from ..errors import UserError
 # No body gives back that many times the work that its loading takes (more than 1, for what drifts).
 LARGEST_RETURN = 1.2
 
-# A curve that begins above this share of its largest force lacks its loading.
-LOADED = 0.5
-
 SORT = "the rows of a curve must be in the order of time: sort them"
 
 
@@ -25,10 +22,13 @@ def check_time(time, column, what):
 
 
 def check_work(depth, force, what):
-    """Refuses a curve that gives back much more work than its loading takes: one that is read backwards."""
+    """Refuses a curve that gives back much more work than its loading takes, above the force that it begins with: one
+    that is read backwards."""
     peak = int(force.argmax())
-    parts = 0.5 * (force[1:] + force[:-1]).clip(0.) * numpy.diff(depth)
+    over = (force - max(force[0], 0.)).clip(0.)
+    parts = 0.5 * (over[1:] + over[:-1]) * numpy.diff(depth)
     taken, returned = parts[:peak].sum(), -parts[peak:].sum()
-    if force[0] < LOADED * force[peak] and returned > LARGEST_RETURN * max(taken, 0.):
+    if returned > LARGEST_RETURN * max(taken, 0.):
         raise UserError(f"{what} gives back more work from its largest force on, {returned:.4g}, than it takes before, "
-                        f"{taken:.4g} (force times depth as in the file), as if it were unloaded first: {SORT}")
+                        f"{taken:.4g} (force times depth as in the file), as if it were unloaded first: {SORT}; if they "
+                        "are, the depth drifts by more than a curve can have")

@@ -12,10 +12,10 @@ HTML with all pictures in it; a browser prints it to PDF. What the run has not w
 import argparse
 import pathlib
 
-from ..program import add_program
 from ..arguments import CommandParser, number
 from ..errors import UserError
 from ..files import new_file
+from ..program import add_program
 
 
 def page(text):
