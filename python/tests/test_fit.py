@@ -17,15 +17,15 @@ import unittest
 import numpy
 
 from elasto_plastic_contact import UserError, fit, run
-from elasto_plastic_contact.__main__ import main
 from elasto_plastic_contact.fitting.flow_stress import flow_stress
 from elasto_plastic_contact.fitting.predictions import QUANTITIES, Curve
 from elasto_plastic_contact.fitting.results import sentences
 from elasto_plastic_contact.fitting.runs import Runs
 from elasto_plastic_contact.fitting.statistics import UNKNOWN
-from tools.inputs.fit_data import CREEP, measured
 from elasto_plastic_contact.program import ROOT
 from elasto_plastic_contact.study.plan import Case, read_json
+from tools.__main__ import main
+from tools.inputs.fit_data import CREEP, measured
 
 YOUNG, YIELD_STRESS, HARDENING, STRAIN, NOISE = 200000., 400., 2000., 0.02, 2.
 TIMES = numpy.arange(1, 9) / 8.
