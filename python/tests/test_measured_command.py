@@ -253,8 +253,9 @@ class Command(unittest.TestCase):
         twice = numpy.repeat(rows, 2, axis=0)
         pulled = numpy.vstack([rows, rows[-1] + [[1., -5., -0.05 * curve.force.max()]]])
         zeros = numpy.vstack([rows, numpy.zeros((3, 3))])
-        half = 0.4 * curve.force.max()
-        preloaded = rows[int(numpy.flatnonzero(curve.force > half)[0]):int(numpy.flatnonzero(curve.force > half)[-1])]
+        # (of an elastic ball, which gives back all that it takes; the part below the preload was not recorded)
+        depth = numpy.concatenate([numpy.linspace(0.55, 1., 100), numpy.linspace(1., 0., 200)])
+        preloaded = numpy.column_stack([numpy.arange(300.), 1e3 * depth, 10. * depth ** 1.5])
         for table in (twice, pulled, zeros, preloaded):
             path = self.folder / "right.csv"
             numpy.savetxt(path, table, delimiter=",", header="Time (s),Depth (nm),Load (mN)", comments="")
