@@ -15,13 +15,13 @@
 namespace ElastoPlastic
 {
   /// Computes the entries of a Cholesky factor whose structure CHOLMOD has
-  /// found, by the multifrontal method @cite liu_1992: columns of one structure
-  /// are eliminated together in a dense matrix, the front, and what that
-  /// changes in later columns is added to the front of the next of them. Its
-  /// products of matrices are larger than those of CHOLMOD's own algorithm, and
-  /// independent parts of the matrix, as well as parts of large fronts, are
-  /// left to different threads (OpenMP). The result does not depend on their
-  /// number.
+  /// found, and solves with them, by the multifrontal method @cite liu_1992:
+  /// columns of one structure are eliminated together in a dense matrix, the
+  /// front, and what that changes in later columns is added to the front of the
+  /// next of them. Its products of matrices are larger than those of CHOLMOD's
+  /// own algorithm, and independent parts of the matrix, as well as parts of
+  /// large fronts, are left to different threads (OpenMP). The result does not
+  /// depend on their number.
   class MultifrontalFactor
   {
   public:
@@ -44,6 +44,12 @@ namespace ElastoPlastic
     /// own. @return false if the matrix is not positive definite.
     bool
     factorize();
+
+    /// Replaces the right-hand side @p x by the solution, both in the order of
+    /// elimination. Each entry of the factor is read twice, which takes as long
+    /// as the memory needs.
+    void
+    solve(double *const x) const;
 
     MultifrontalFactor(const MultifrontalFactor &) = delete;
     MultifrontalFactor &
@@ -108,6 +114,12 @@ namespace ElastoPlastic
     bool
     eliminate(const unsigned int f);
 
+    const double *
+    columns_of(const Front &front) const
+    {
+      return static_cast<const double *>(factor.x) + front.begin;
+    }
+
     cholmod_factor     &factor;
     std::vector<Front>  fronts;
     std::vector<Update> updates; ///< of what is eliminated later, by fronts
@@ -141,6 +153,24 @@ namespace ElastoPlastic::DensePanels
          const unsigned int n,
          const double      *l,
          const unsigned int stride);
+
+  /// x := L^-1 x for the m x n matrix L, the first n rows of which are a lower
+  /// triangle: the other m - n entries of x lose their product with the first.
+  void
+  solve(double            *x,
+        const unsigned int m,
+        const unsigned int n,
+        const double      *l,
+        const unsigned int stride);
+
+  /// The first n entries of x := L^-T x for the same L, the other m - n being
+  /// known.
+  void
+  solve_transposed(double            *x,
+                   const unsigned int m,
+                   const unsigned int n,
+                   const double      *l,
+                   const unsigned int stride);
 
   /// The lower half of C -= A B^T for an m x k matrix A, the first n rows of
   /// which are B. Above the diagonal of C, anything may result.

@@ -21,8 +21,8 @@ namespace ElastoPlastic
   /// Factorises a symmetric positive definite matrix on one process again and
   /// again, always with the same sparsity pattern. CHOLMOD
   /// @cite chen_davis_hager_rajamanickam_2008 finds the order of elimination
-  /// and the structure of the factor, and solves; MultifrontalFactor computes
-  /// its entries.
+  /// and the structure of the factor; MultifrontalFactor computes its entries,
+  /// and solves.
   class SparseCholesky
   {
   public:
@@ -68,7 +68,7 @@ namespace ElastoPlastic
       }
     };
 
-    mutable Common                                 common;
+    Common                                         common;
     std::unique_ptr<cholmod_factor, FactorDeleter> factor;
     std::unique_ptr<MultifrontalFactor>            fronts;
 

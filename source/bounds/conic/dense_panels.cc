@@ -134,6 +134,60 @@ namespace ElastoPlastic::DensePanels
             column[i] *= inverse;
         }
     }
+
+
+
+    /// So many columns are multiplied together with a vector: a solution with
+    /// the factor then reads the vector less often than the columns.
+    constexpr unsigned int n_together = 4;
+
+    using Columns = std::array<const double *, n_together>;
+    using Values  = std::array<double, n_together>;
+
+    /// Those from @p k to before @p end, the last one repeated.
+    Columns
+    columns_from(const double      *l,
+                 const unsigned int k,
+                 const unsigned int end,
+                 const unsigned int stride)
+    {
+      Columns columns;
+      for (unsigned int c = 0; c < n_together; ++c)
+        columns[c] = l + std::size_t(std::min(k + c, end - 1)) * stride;
+      return columns;
+    }
+
+
+
+    /// Of the entries from @p begin to before @p end.
+    Values
+    products(const Columns     &columns,
+             const double      *x,
+             const unsigned int begin,
+             const unsigned int end)
+    {
+      std::array<Register, n_together> sums{};
+      unsigned int                     i = begin;
+      for (; i + n_lanes <= end; i += n_lanes)
+        {
+          Register entries, of_column;
+          std::memcpy(&entries, x + i, sizeof(Register));
+          for (unsigned int c = 0; c < n_together; ++c)
+            {
+              std::memcpy(&of_column, columns[c] + i, sizeof(Register));
+              sums[c] += of_column * entries;
+            }
+        }
+      Values result{};
+      for (unsigned int c = 0; c < n_together; ++c)
+        {
+          for (unsigned int lane = 0; lane < n_lanes; ++lane)
+            result[c] += sums[c][lane];
+          for (unsigned int j = i; j < end; ++j)
+            result[c] += columns[c][j] * x[j];
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -190,6 +244,58 @@ namespace ElastoPlastic::DensePanels
           }
         for (unsigned int j = 0; j < n; ++j)
           std::copy_n(&x[j * n_rows], height, b + i + std::size_t(j) * stride);
+      }
+  }
+
+
+
+  void
+  solve(double            *x,
+        const unsigned int m,
+        const unsigned int n,
+        const double      *l,
+        const unsigned int stride)
+  {
+    for (unsigned int k = 0; k < n; k += n_together)
+      {
+        const unsigned int end     = std::min(k + n_together, n);
+        const Columns      columns = columns_from(l, k, end, stride);
+        Values             values{};
+        for (unsigned int j = k; j < end; ++j)
+          {
+            const double *const column = columns[j - k];
+            values[j - k]              = x[j] /= column[j];
+            for (unsigned int i = j + 1; i < end; ++i)
+              x[i] -= column[i] * x[j];
+          }
+        for (unsigned int i = end; i < m; ++i)
+          x[i] -= (columns[0][i] * values[0] + columns[1][i] * values[1]) +
+                  (columns[2][i] * values[2] + columns[3][i] * values[3]);
+      }
+  }
+
+
+
+  void
+  solve_transposed(double            *x,
+                   const unsigned int m,
+                   const unsigned int n,
+                   const double      *l,
+                   const unsigned int stride)
+  {
+    for (unsigned int end = n, k; end > 0; end = k)
+      {
+        k                     = (end - 1) / n_together * n_together;
+        const Columns columns = columns_from(l, k, end, stride);
+        const Values  sums    = products(columns, x, end, m);
+        for (unsigned int j = end; j-- > k;)
+          {
+            const double *const column = columns[j - k];
+            x[j] -= sums[j - k];
+            for (unsigned int i = j + 1; i < end; ++i)
+              x[j] -= column[i] * x[i];
+            x[j] /= column[j];
+          }
       }
   }
 

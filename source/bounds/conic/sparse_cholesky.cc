@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <mutex>
 
 #include "base/process.h"
 #include "bounds/conic/sparse_cholesky.h"
@@ -42,7 +43,13 @@ namespace ElastoPlastic
     matrix.xtype              = CHOLMOD_PATTERN;
     matrix.dtype              = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    factor.reset(cholmod_l_analyze(&matrix, &common));
+    {
+      // METIS takes the random numbers of the C library: another thread would
+      // change the order.
+      static std::mutex                 one_at_a_time;
+      const std::lock_guard<std::mutex> lock(one_at_a_time);
+      factor.reset(cholmod_l_analyze(&matrix, &common));
+    }
     if (!factor)
       throw std::bad_alloc();
     fronts = std::make_unique<MultifrontalFactor>(*factor);
@@ -78,20 +85,14 @@ namespace ElastoPlastic
   SparseCholesky::vmult(Vector<double>       &solution,
                         const Vector<double> &right_hand_side) const
   {
-    cholmod_dense view = {};
-    view.nrow = view.nzmax = view.d = right_hand_side.size();
-    view.ncol                       = 1;
-    view.x     = const_cast<double *>(right_hand_side.begin());
-    view.xtype = CHOLMOD_REAL;
-    view.dtype = CHOLMOD_DOUBLE;
-
-    cholmod_dense *result =
-      cholmod_l_solve(CHOLMOD_A, factor.get(), &view, &common);
-    if (result == nullptr)
-      throw std::bad_alloc();
-    const auto *const begin = static_cast<const double *>(result->x);
+    const auto *const order =
+      static_cast<const SuiteSparse_long *>(factor->Perm);
+    Vector<double> ordered(right_hand_side.size());
+    for (unsigned int i = 0; i < ordered.size(); ++i)
+      ordered[i] = right_hand_side[order[i]];
+    fronts->solve(ordered.begin());
     solution.reinit(right_hand_side.size(), true);
-    std::copy(begin, begin + solution.size(), solution.begin());
-    cholmod_l_free_dense(&result, &common);
+    for (unsigned int i = 0; i < ordered.size(); ++i)
+      solution[order[i]] = ordered[i];
   }
 } // namespace ElastoPlastic
