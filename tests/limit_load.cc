@@ -20,6 +20,8 @@
 #include "refine_where.h"
 #include "verdict.h"
 
+#include <omp.h>
+
 using namespace ElastoPlastic;
 
 namespace
@@ -142,6 +144,59 @@ namespace
 
 
 
+  // Both programs at the same time, each with a thread of its own.
+  void
+  test_threads(const SplitBody<2> &body)
+  {
+    omp_set_num_threads(1);
+    const LimitLoad<2> one = bound_limit_load(body, 1);
+    omp_set_num_threads(3);
+    const LimitLoad<2> three = bound_limit_load(body, 1);
+    verify("three threads remain", omp_get_max_threads() == 3);
+    omp_set_num_threads(1);
+    output() << "Side by side" << std::endl;
+    verify("the same lower bound", one.lower_bound == three.lower_bound);
+    verify("the same upper bound", one.upper_bound == three.upper_bound);
+    verify("the same gaps", one.gaps == three.gaps);
+  }
+
+
+
+  // What a coarser mesh has shown makes the way shorter, and leads to the same
+  // bounds.
+  void
+  test_expectation(const SplitBody<2> &body,
+                   const LimitLoad<2> &coarser,
+                   const SplitMesh<2> &coarser_mesh)
+  {
+    const LimitLoad<2> cold = bound_limit_load(body, 1),
+                       warm =
+                         bound_limit_load(body,
+                                          1,
+                                          Tolerance::gap_of_bounds<2>,
+                                          expected_multipliers(coarser,
+                                                               coarser_mesh,
+                                                               body.mesh));
+    output() << "With the bounds of a coarser mesh" << std::endl;
+    verify("the same lower bound",
+           std::abs(warm.lower_bound / cold.lower_bound - 1.),
+           2e-6);
+    verify("the same upper bound",
+           std::abs(warm.upper_bound / cold.upper_bound - 1.),
+           2e-6);
+    verify("fewer iterations for stresses",
+           warm.stress.n_iterations < 0.9 * cold.stress.n_iterations);
+    verify("fewer iterations for velocities",
+           warm.velocity.n_iterations < 0.9 * cold.velocity.n_iterations);
+    verify("optimal", warm.stress.is_optimal && warm.velocity.is_optimal);
+    verify("admissible stress",
+           check_stress(body, warm.stress).largest(),
+           1e-10);
+    verify("admissible velocity", warm.velocity.error, 1e-9);
+  }
+
+
+
   // Force and depth control are two ways to the same stresses, elastic-plastic
   // and hardening.
   void
@@ -200,6 +255,18 @@ main(int argc, char *argv[])
       test_degrees(body_with(Kinematics::cartesian, surface));
       test_degrees(body_with(Kinematics::plane_stress, surface));
     }
+  test_threads(body_with(Kinematics::cartesian));
+  const SplitBody<2> coarser = body_with(Kinematics::cartesian);
+  const LimitLoad<2> bounds  = bound_limit_load(coarser, 1);
+  triangulation.refine_global(1);
+  test_expectation(make_split_body<2>(make_split_mesh(triangulation),
+                                      conditions,
+                                      {material()},
+                                      {gap, SurfaceFinish::smooth},
+                                      0.,
+                                      Kinematics::cartesian),
+                   bounds,
+                   coarser.mesh);
   test_hencky(body_with(Kinematics::cartesian), 0.);
   test_hencky(body_with(Kinematics::cartesian), 10.);
   test_hencky(body_with(Kinematics::plane_stress), 10.);

@@ -136,8 +136,9 @@ namespace ElastoPlastic
     std::function<Loads<dim>(const SplitMesh<dim> &)> loads;
 
     // On the first rank: the problem on the present mesh, and its solution.
-    SplitBody<dim> body;
-    LimitLoad<dim> bounds;
+    SplitBody<dim>      body;
+    LimitLoad<dim>      bounds;
+    ExpectedMultipliers expected;
 
     // On all ranks: what limit_load.csv says of it.
     LimitLoadRow row = {};

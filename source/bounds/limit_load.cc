@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
+#include <future>
+
 #include "bounds/body/split_body.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
+#include "bounds/mesh/density_transfer.h"
 #include "bounds/stress/johnson_mercier.h"
+
+#include <omp.h>
 
 namespace ElastoPlastic
 {
@@ -96,20 +101,102 @@ namespace ElastoPlastic
               bounds.gaps[view.face.neighbors[i]] -= power;
           }
     }
+
+
+
+    /// How many threads factorisations that this thread begins may use, until
+    /// the end of a scope.
+    class ScopedThreadLimit
+    {
+    public:
+      explicit ScopedThreadLimit(const int n_threads)
+        : before(omp_get_max_threads())
+      {
+        omp_set_num_threads(n_threads);
+      }
+
+      ~ScopedThreadLimit()
+      {
+        omp_set_num_threads(before);
+      }
+
+      ScopedThreadLimit(const ScopedThreadLimit &) = delete;
+      ScopedThreadLimit &
+      operator=(const ScopedThreadLimit &) = delete;
+
+    private:
+      const int before;
+    };
+
+
+
+    /// Calls both functions, at the same time if there are several threads
+    /// (OpenMP), each with half of them. If both throw, the error of the first
+    /// counts.
+    template <typename First, typename Second>
+    void
+    call_side_by_side(const First &first, const Second &second)
+    {
+      const int n_threads = omp_get_max_threads();
+      if (n_threads == 1)
+        {
+          first();
+          second();
+          return;
+        }
+      auto end_of_second = std::async(std::launch::async, [&]() {
+        const ScopedThreadLimit limit(n_threads / 2);
+        second();
+      });
+      {
+        const ScopedThreadLimit limit(n_threads - n_threads / 2);
+        first();
+      }
+      end_of_second.get();
+    }
   } // namespace
 
 
 
   template <int dim>
+  ExpectedMultipliers
+  expected_multipliers(const LimitLoad<dim> &bounds,
+                       const SplitMesh<dim> &last,
+                       const SplitMesh<dim> &next)
+  {
+    return {DensityTransfer<dim>(last, bounds.stress.multipliers).on(next),
+            DensityTransfer<dim>(last, bounds.velocity.multipliers).on(next)};
+  }
+
+
+
+  template <int dim>
   LimitLoad<dim>
-  bound_limit_load(const SplitBody<dim> &body,
-                   const unsigned int    degree,
-                   const double          tolerance)
+  bound_limit_load(const SplitBody<dim>      &body,
+                   const unsigned int         degree,
+                   const double               tolerance,
+                   const ExpectedMultipliers &expected)
   {
     LimitLoad<dim> bounds;
-    bounds.stress           = maximize_load(body, degree, tolerance);
     bounds.body_of_velocity = circumscribe(body);
-    bounds.velocity = minimize_plastic_work(bounds.body_of_velocity, tolerance);
+    const auto find_stress  = [&]() {
+      bounds.stress =
+        maximize_load(body, degree, tolerance, expected.of_stress);
+    };
+    const auto find_velocity = [&]() {
+      bounds.velocity = minimize_plastic_work(bounds.body_of_velocity,
+                                              tolerance,
+                                              expected.of_velocity);
+    };
+    // In space, factorisations take most of the time and memory: the threads
+    // share the work of one after the other.
+    if (dim == 2)
+      call_side_by_side(find_stress, find_velocity);
+    else
+      {
+        find_stress();
+        find_velocity();
+      }
     bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
                                                      bounds.stress.force;
     bounds.upper_bound = bounds.velocity.bound;
@@ -119,8 +206,22 @@ namespace ElastoPlastic
 
 
 
+  template ExpectedMultipliers
+  expected_multipliers(const LimitLoad<2> &,
+                       const SplitMesh<2> &,
+                       const SplitMesh<2> &);
+  template ExpectedMultipliers
+  expected_multipliers(const LimitLoad<3> &,
+                       const SplitMesh<3> &,
+                       const SplitMesh<3> &);
   template LimitLoad<2>
-  bound_limit_load(const SplitBody<2> &, const unsigned int, const double);
+  bound_limit_load(const SplitBody<2> &,
+                   const unsigned int,
+                   const double,
+                   const ExpectedMultipliers &);
   template LimitLoad<3>
-  bound_limit_load(const SplitBody<3> &, const unsigned int, const double);
+  bound_limit_load(const SplitBody<3> &,
+                   const unsigned int,
+                   const double,
+                   const ExpectedMultipliers &);
 } // namespace ElastoPlastic

@@ -209,7 +209,8 @@ namespace ElastoPlastic
         return;
       bounds                    = bound_limit_load(body,
                                 degree_of_stresses(body, parameters),
-                                tolerance_after<dim>(last_difference()));
+                                tolerance_after<dim>(last_difference()),
+                                expected);
       const double stress_error = require_admissible(body, bounds.stress);
       row                       = {cycle,
                                    static_cast<unsigned int>(body.mesh.cells.size()),
@@ -321,7 +322,10 @@ namespace ElastoPlastic
         triangulation.execute_coarsening_and_refinement();
       }
     check_material_ids(triangulation, model.materials.size());
+    const SplitMesh<dim> last = std::move(body.mesh);
     setup_body();
+    if (first_rank)
+      expected = expected_multipliers(bounds, last, body.mesh);
     ++cycle;
   }
 } // namespace ElastoPlastic

@@ -17,10 +17,21 @@ namespace ElastoPlastic
            const KktSystem    &system,
            ConicSolution      &solution);
 
-  /// The scalings of cones whose slacks and multipliers are of the expected
-  /// size: the system that they make is well conditioned.
+  /// Of which size slacks and multipliers of the cones are expected to be where
+  /// the iteration begins.
+  std::vector<ConeScale>
+  expected_scales(const ConicProgram &program, const ConicLayout &layout);
+
+  /// See ConicSolution::multipliers.
+  std::vector<double>
+  multipliers_of_blocks(const ConicLayout &layout, const Vector<double> &z);
+
+  /// The scalings of cones whose slacks and multipliers are of the size that
+  /// @p scales say: with those of the layout, the system that they make is well
+  /// conditioned.
   KktSystem::Scalings
-  expected_scalings(const ConicLayout &layout);
+  expected_scalings(const ConicLayout            &layout,
+                    const std::vector<ConeScale> &scales);
 
   /// Removes what rounding errors, and an iteration that they have ended, have
   /// left of the equations of a @p solution: A x = b and G x + s = h with s in

@@ -93,6 +93,10 @@ namespace ElastoPlastic
     std::vector<ConicBlock> blocks;
     Vector<double>          right_hand_side; ///< b
     Vector<double>          live_load; ///< d; empty if there is no load factor
+    /// By blocks, how much larger than their ConeScale says the multipliers of
+    /// the cones are expected to be where the iteration begins; empty if
+    /// nothing is known.
+    std::vector<double> expected_multipliers;
     /// Whether many blocks contribute to the last equation (the force balance
     /// of an indenter). It is kept out of the sparse factorisation.
     bool has_dense_row = false;
@@ -104,6 +108,12 @@ namespace ElastoPlastic
       right_hand_side.reinit(n);
       live_load.reinit(has_load_factor ? n : 0);
     }
+
+    /// Sets expected_multipliers: of the first blocks to @p of_blocks, and of
+    /// all a few times the mean more, because what is expected to be zero may
+    /// not be. Nothing changes if the vector is empty.
+    void
+    expect_multipliers(const std::vector<double> &of_blocks);
 
     /// Adds to b, and to d if there is a load factor.
     void
@@ -179,6 +189,9 @@ namespace ElastoPlastic
   struct ConicSolution : KktVector
   {
     Vector<double> s; ///< see ConicLayout::rows
+    /// By blocks, the mean of the first entries of z in its cones: a program
+    /// for a finer mesh can be told to expect_multipliers().
+    std::vector<double> multipliers;
 
     double       cost         = 0; ///< 1/2 x^T P x + c^T x - lambda
     double       relative_gap = 0; ///< s^T z of the iterate, relative to cost

@@ -87,8 +87,10 @@ namespace ElastoPlastic
     /// by that of the loads that grow.
     double bound = 0;
     /// See VelocityErrors::largest().
-    double       error        = 0;
-    unsigned int n_iterations = 0;
+    double error = 0;
+    /// By simplices, see ConicSolution::multipliers.
+    std::vector<double> multipliers;
+    unsigned int        n_iterations = 0;
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
   };

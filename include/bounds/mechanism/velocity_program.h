@@ -16,11 +16,14 @@ namespace ElastoPlastic
   /// bound of the limit load @cite hill_1950. The bound follows from the
   /// velocities alone, by velocity_check.h.
   /// @param tolerance of the best bound of the mesh, relative
+  /// @param expected_multipliers by simplices, or empty if nothing is known,
+  /// see ConicProgram::expect_multipliers()
   /// @throws ConvergenceError, in particular if there is no mechanism.
   template <int dim>
   VelocityField<dim>
   minimize_plastic_work(const SplitBody<dim> &body,
-                        const double tolerance = Tolerance::gap_of_bounds<dim>);
+                        const double tolerance = Tolerance::gap_of_bounds<dim>,
+                        const std::vector<double> &expected_multipliers = {});
 
 
 
@@ -36,7 +39,9 @@ namespace ElastoPlastic
   /// takes the work k |[v_t]| per area. So they may along fixed faces and along
   /// a rough indenter.
   VelocityField<3>
-  find_flux(const SplitBody<3> &body, const double tolerance);
+  find_flux(const SplitBody<3>        &body,
+            const double               tolerance,
+            const std::vector<double> &expected_multipliers);
 
 
 
@@ -47,7 +52,9 @@ namespace ElastoPlastic
   /// |[v_t]| per area, with the yield stress in shear k of the weaker material.
   /// So they may along fixed sides and along a rough indenter.
   VelocityField<2>
-  find_stream(const SplitBody<2> &body, const double tolerance);
+  find_stream(const SplitBody<2>        &body,
+              const double               tolerance,
+              const std::vector<double> &expected_multipliers);
 
 
 
@@ -59,7 +66,9 @@ namespace ElastoPlastic
   /// everywhere because its coefficients are.
   template <int dim>
   VelocityField<dim>
-  find_continuous_motion(const SplitBody<dim> &body, const double tolerance);
+  find_continuous_motion(const SplitBody<dim>      &body,
+                         const double               tolerance,
+                         const std::vector<double> &expected_multipliers);
 } // namespace ElastoPlastic
 
 #endif

@@ -50,8 +50,10 @@ namespace ElastoPlastic
     /// Of the loads that grow; zero if none does.
     double load_factor = 0;
     /// What has been minimised.
-    double       cost         = 0;
-    unsigned int n_iterations = 0;
+    double cost = 0;
+    /// By simplices, see ConicSolution::multipliers.
+    std::vector<double> multipliers;
+    unsigned int        n_iterations = 0;
     /// False if rounding errors have ended the minimisation early.
     bool is_optimal = true;
 
@@ -123,12 +125,15 @@ namespace ElastoPlastic
   /// everywhere. This is a lower bound of the limit load. The strength may
   /// depend on the pressure, see SplitBody::friction_slopes.
   /// @param degree of the stresses, 1 or 2; in space 1
+  /// @param expected_multipliers by simplices, or empty if nothing is known,
+  /// see ConicProgram::expect_multipliers()
   /// @throws ConvergenceError, in particular if there is no limit.
   template <int dim>
   StressField<dim>
   maximize_load(const SplitBody<dim> &body,
                 const unsigned int    degree,
-                const double tolerance = Tolerance::gap_of_bounds<dim>);
+                const double          tolerance = Tolerance::gap_of_bounds<dim>,
+                const std::vector<double> &expected_multipliers = {});
 } // namespace ElastoPlastic
 
 #endif

@@ -68,6 +68,13 @@ namespace ElastoPlastic
     void
     prescribe_force(const double force);
 
+    /// By simplices, see ConicProgram::expect_multipliers().
+    void
+    expect_multipliers(const std::vector<double> &of_simplices)
+    {
+      program.expect_multipliers(of_simplices);
+    }
+
     /// Can be called once: the program goes to the solver, which frees its
     /// memory. @throws ConvergenceError
     StressField<dim>

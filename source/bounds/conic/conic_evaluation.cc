@@ -192,13 +192,46 @@ namespace ElastoPlastic
 
 
 
+  std::vector<ConeScale>
+  expected_scales(const ConicProgram &program, const ConicLayout &layout)
+  {
+    std::vector<ConeScale> scales = layout.scales;
+    for (unsigned int b = 0; b < program.expected_multipliers.size(); ++b)
+      for (unsigned int c = layout.first_cones[b];
+           c < layout.first_cones[b + 1];
+           ++c)
+        scales[c].multiplier *= program.expected_multipliers[b];
+    return scales;
+  }
+
+
+
+  std::vector<double>
+  multipliers_of_blocks(const ConicLayout &layout, const Vector<double> &z)
+  {
+    std::vector<double> result;
+    for (unsigned int b = 0; b + 1 < layout.first_cones.size(); ++b)
+      {
+        const unsigned int begin = layout.first_cones[b],
+                           end   = layout.first_cones[b + 1];
+        double sum               = 0;
+        for (unsigned int c = begin; c < end; ++c)
+          sum += z[layout.cones[c].begin];
+        result.push_back(begin < end ? sum / (end - begin) : 0.);
+      }
+    return result;
+  }
+
+
+
   KktSystem::Scalings
-  expected_scalings(const ConicLayout &layout)
+  expected_scalings(const ConicLayout            &layout,
+                    const std::vector<ConeScale> &scales)
   {
     KktSystem::Scalings scalings;
     for (unsigned int c = 0; c < layout.cones.size(); ++c)
       {
-        const ConeScale   &scale = layout.scales[c];
+        const ConeScale   &scale = scales[c];
         const unsigned int size  = layout.cones[c].size;
         const std::array<double, SecondOrderCone::max_size> s = {{scale.slack}};
         const std::array<double, SecondOrderCone::max_size> z = {
@@ -221,7 +254,7 @@ namespace ElastoPlastic
     const bool is_restored = !satisfies_equations(solution);
     if (is_restored)
       {
-        const auto scalings = expected_scalings(layout);
+        const auto scalings = expected_scalings(layout, layout.scales);
         if (!system.factorize(scalings))
           throw ConvergenceError("Rounding errors are too large.");
         restore_equations(program, layout, system, solution);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <numeric>
 
 #include "bounds/conic/conic_program.h"
 #include "bounds/conic/local_algebra.h"
@@ -10,6 +11,12 @@ namespace ElastoPlastic
 {
   namespace
   {
+    /// That is expected, relative to the mean. (1 to 10 need as many
+    /// iterations; 0.3 and 30 need more.)
+    constexpr double smallest_multiplier = 3.;
+
+
+
     void
     append_row(FullMatrix<double> &matrix, const Vector<double> &row)
     {
@@ -59,6 +66,22 @@ namespace ElastoPlastic
     cone_offset.grow_or_shrink(cone_offset.size() + 1);
     cone_sizes.push_back(1);
     cone_scales.emplace_back();
+  }
+
+
+
+  void
+  ConicProgram::expect_multipliers(const std::vector<double> &of_blocks)
+  {
+    const double smallest =
+      smallest_multiplier *
+      std::accumulate(of_blocks.begin(), of_blocks.end(), 0.) /
+      of_blocks.size();
+    if (!(smallest > 0.)) // also if there are none
+      return;
+    expected_multipliers.assign(blocks.size(), smallest);
+    for (unsigned int b = 0; b < of_blocks.size(); ++b)
+      expected_multipliers[b] += std::max(0., of_blocks[b]);
   }
 
 

@@ -48,12 +48,13 @@ namespace ElastoPlastic
         : program(std::move(the_program))
         , layout(program)
         , n_cones(layout.cones.size())
+        , scales(expected_scales(program, layout))
         , shares(n_cones)
         , tolerance(tolerance)
         , system(program, layout)
       {
         for (unsigned int c = 0; c < n_cones; ++c)
-          shares[c] = layout.scales[c].slack * layout.scales[c].multiplier;
+          shares[c] = scales[c].slack * scales[c].multiplier;
         shares /= shares.l1_norm();
         for (ConicBlock &block : program.blocks)
           {
@@ -100,6 +101,7 @@ namespace ElastoPlastic
             make_admissible(program, layout, system, interior, current);
           }
         current.relative_gap = best.relative_gap;
+        current.multipliers  = multipliers_of_blocks(layout, current.z);
         return current;
       }
 
@@ -109,7 +111,7 @@ namespace ElastoPlastic
       void
       begin()
       {
-        scalings = expected_scalings(layout);
+        scalings = expected_scalings(layout, scales);
         if (!system.factorize(scalings))
           throw ConvergenceError(
             "The interior point method cannot begin: "
@@ -133,12 +135,11 @@ namespace ElastoPlastic
             const ConstView v = layout.cone(std::as_const(values), c);
             outside           = std::max(outside,
                                (SecondOrderCone::norm_of_tail(v) - v[0]) /
-                                 (layout.scales[c].*size));
+                                 (scales[c].*size));
           }
         if (outside >= 0)
           for (unsigned int c = 0; c < n_cones; ++c)
-            layout.cone(values, c)[0] +=
-              (1. + outside) * (layout.scales[c].*size);
+            layout.cone(values, c)[0] += (1. + outside) * (scales[c].*size);
       }
 
       bool
@@ -350,13 +351,14 @@ namespace ElastoPlastic
         scaled_s -= scaled_z;
       }
 
-      ConicProgram        program; ///< without A and G, which the system has
-      const ConicLayout   layout;
-      const unsigned int  n_cones;
-      Vector<double>      shares; ///< of s^T z that the cones may keep
-      const double        tolerance;
-      KktSystem           system;
-      KktSystem::Scalings scalings;
+      ConicProgram       program; ///< without A and G, which the system has
+      const ConicLayout  layout;
+      const unsigned int n_cones;
+      const std::vector<ConeScale> scales; ///< of the cones at the beginning
+      Vector<double>               shares; ///< of s^T z that the cones may keep
+      const double                 tolerance;
+      KktSystem                    system;
+      KktSystem::Scalings          scalings;
 
       ConicSolution  current;
       ConicSolution  best;     ///< of all iterates

@@ -206,7 +206,9 @@ namespace ElastoPlastic
   // they lack becomes smaller with the gap, on whatever mesh.
   template <int dim>
   VelocityField<dim>
-  find_continuous_motion(const SplitBody<dim> &body, const double tolerance)
+  find_continuous_motion(const SplitBody<dim>      &body,
+                         const double               tolerance,
+                         const std::vector<double> &expected_multipliers)
   {
     const unsigned int       rate_degree = body.is_axisymmetric() ? 2 : 1;
     const VelocityBasis<dim> basis       = continuous_velocities(body);
@@ -215,6 +217,7 @@ namespace ElastoPlastic
       program.blocks.push_back(
         block_of_stresses(body, basis.on_simplices[t], t, rate_degree));
     add_indenter(program, body, basis, rate_degree + 1);
+    program.expect_multipliers(expected_multipliers);
     const ConicSolution solution =
       minimize(std::move(program),
                body.has_friction() ?
@@ -229,7 +232,11 @@ namespace ElastoPlastic
 
 
   template VelocityField<2>
-  find_continuous_motion(const SplitBody<2> &, const double);
+  find_continuous_motion(const SplitBody<2> &,
+                         const double,
+                         const std::vector<double> &);
   template VelocityField<3>
-  find_continuous_motion(const SplitBody<3> &, const double);
+  find_continuous_motion(const SplitBody<3> &,
+                         const double,
+                         const std::vector<double> &);
 } // namespace ElastoPlastic

@@ -152,7 +152,9 @@ namespace ElastoPlastic
 
 
   VelocityField<3>
-  find_flux(const SplitBody<3> &body, const double tolerance)
+  find_flux(const SplitBody<3>        &body,
+            const double               tolerance,
+            const std::vector<double> &expected_multipliers)
   {
     const VelocityBasis<3> basis   = flux_basis(body);
     ConicProgram           program = program_of_loads(body, basis);
@@ -160,6 +162,7 @@ namespace ElastoPlastic
       program.blocks.push_back(
         block_of_tetrahedron(body, basis.on_simplices[t], t));
     add_faces(program, body, basis, /* degree = */ 1);
+    program.expect_multipliers(expected_multipliers);
     ConicSolution solution = minimize(std::move(program), tolerance);
     remove_divergence(solution.y, body, basis);
     return field_of(body, basis, solution);

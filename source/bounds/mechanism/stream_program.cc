@@ -197,7 +197,9 @@ namespace ElastoPlastic
 
 
   VelocityField<2>
-  find_stream(const SplitBody<2> &body, const double tolerance)
+  find_stream(const SplitBody<2>        &body,
+              const double               tolerance,
+              const std::vector<double> &expected_multipliers)
   {
     const StreamUnknowns    unknowns(body);
     VelocityBasis<2>        basis = {unknowns.size(), {}};
@@ -218,6 +220,7 @@ namespace ElastoPlastic
               body,
               basis,
               /* degree = */ body.is_axisymmetric() ? 4 : 2);
+    program.expect_multipliers(expected_multipliers);
     return field_of(body, basis, minimize(std::move(program), tolerance));
   }
 } // namespace ElastoPlastic

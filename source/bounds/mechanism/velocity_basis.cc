@@ -169,6 +169,9 @@ namespace ElastoPlastic
     field.bound =
       -solution.cost *
       (body.load_factor_unit > 0 ? body.load_factor_unit : body.force_unit());
+    field.multipliers.assign(solution.multipliers.begin(),
+                             solution.multipliers.begin() +
+                               basis.on_simplices.size());
     field.n_iterations = solution.n_iterations;
     field.is_optimal   = solution.is_optimal;
     for (const auto &functions : basis.on_simplices)

@@ -17,17 +17,23 @@ namespace ElastoPlastic
   namespace
   {
     VelocityField<2>
-    find_mechanism(const SplitBody<2> &body, const double tolerance)
+    find_mechanism(const SplitBody<2>        &body,
+                   const double               tolerance,
+                   const std::vector<double> &expected)
     {
-      return body.can_slide() ? find_stream(body, tolerance) :
-                                find_continuous_motion(body, tolerance);
+      return body.can_slide() ?
+               find_stream(body, tolerance, expected) :
+               find_continuous_motion(body, tolerance, expected);
     }
 
     VelocityField<3>
-    find_mechanism(const SplitBody<3> &body, const double tolerance)
+    find_mechanism(const SplitBody<3>        &body,
+                   const double               tolerance,
+                   const std::vector<double> &expected)
     {
-      return body.can_slide() ? find_flux(body, tolerance) :
-                                find_continuous_motion(body, tolerance);
+      return body.can_slide() ?
+               find_flux(body, tolerance, expected) :
+               find_continuous_motion(body, tolerance, expected);
     }
 
 
@@ -79,11 +85,14 @@ namespace ElastoPlastic
 
   template <int dim>
   VelocityField<dim>
-  minimize_plastic_work(const SplitBody<dim> &body, const double tolerance)
+  minimize_plastic_work(const SplitBody<dim>      &body,
+                        const double               tolerance,
+                        const std::vector<double> &expected_multipliers)
   {
     try
       {
-        VelocityField<dim> field = find_mechanism(body, tolerance);
+        VelocityField<dim> field =
+          find_mechanism(body, tolerance, expected_multipliers);
         evaluate_mechanism(body, field);
         return field;
       }
@@ -107,7 +116,11 @@ namespace ElastoPlastic
 
 
   template VelocityField<2>
-  minimize_plastic_work(const SplitBody<2> &, const double);
+  minimize_plastic_work(const SplitBody<2> &,
+                        const double,
+                        const std::vector<double> &);
   template VelocityField<3>
-  minimize_plastic_work(const SplitBody<3> &, const double);
+  minimize_plastic_work(const SplitBody<3> &,
+                        const double,
+                        const std::vector<double> &);
 } // namespace ElastoPlastic

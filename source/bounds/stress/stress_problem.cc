@@ -107,9 +107,10 @@ namespace ElastoPlastic
 
   template <int dim>
   StressField<dim>
-  maximize_load(const SplitBody<dim> &body,
-                const unsigned int    degree,
-                const double          tolerance)
+  maximize_load(const SplitBody<dim>      &body,
+                const unsigned int         degree,
+                const double               tolerance,
+                const std::vector<double> &expected_multipliers)
   {
     const double depth_unit = body.strain_unit * body.length_unit;
 
@@ -119,6 +120,7 @@ namespace ElastoPlastic
                                degree);
     if (body.load_factor_unit == 0)
       program.add_force(-depth_unit);
+    program.expect_multipliers(expected_multipliers);
     StressField<dim> field = solve_or_explain(program, tolerance);
     for (auto &velocities : field.displacement)
       for (auto &velocity : velocities)
@@ -137,7 +139,13 @@ namespace ElastoPlastic
   template StressField<3>
   equilibrate_with_depth(const SplitBody<3> &, const double);
   template StressField<2>
-  maximize_load(const SplitBody<2> &, const unsigned int, const double);
+  maximize_load(const SplitBody<2> &,
+                const unsigned int,
+                const double,
+                const std::vector<double> &);
   template StressField<3>
-  maximize_load(const SplitBody<3> &, const unsigned int, const double);
+  maximize_load(const SplitBody<3> &,
+                const unsigned int,
+                const double,
+                const std::vector<double> &);
 } // namespace ElastoPlastic

@@ -151,6 +151,8 @@ namespace ElastoPlastic
     field.cost = solution.cost * body.force_unit() * body.strain_unit * length;
     if (has_energy)
       field.cost += energy_of_initial_stress();
+    field.multipliers.assign(solution.multipliers.begin(),
+                             solution.multipliers.begin() + n_simplices);
     field.n_iterations = solution.n_iterations;
     field.is_optimal   = solution.is_optimal;
     return field;

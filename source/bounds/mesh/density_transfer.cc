@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: The ElastoPlasticContact authors
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "bounds/mesh/density_transfer.h"
+
+namespace ElastoPlastic
+{
+  namespace
+  {
+    /// A cell, and those that it is a part of, up to one of the coarsest mesh.
+    std::vector<CellId>
+    line_of_descent(const CellId &cell)
+    {
+      const auto          children = cell.get_child_indices();
+      std::vector<CellId> result;
+      for (unsigned int n = children.size() + 1; n-- > 0;)
+        result.emplace_back(cell.get_coarse_cell_id(), n, children.data());
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  DensityTransfer<dim>::DensityTransfer(const SplitMesh<dim>      &mesh,
+                                        const std::vector<double> &of_simplices)
+  {
+    for (unsigned int t = 0; t < of_simplices.size(); ++t)
+      {
+        const auto &simplex = mesh.simplices[t];
+        for (const CellId &cell : line_of_descent(mesh.cells[simplex.cell].id))
+          {
+            Sum &sum = sums[cell];
+            sum.value += of_simplices[t];
+            sum.volume += volume(mesh.corners(simplex));
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  DensityTransfer<dim>::on(const SplitMesh<dim> &mesh) const
+  {
+    if (sums.empty())
+      return {};
+    std::vector<double> densities, result;
+    for (const auto &cell : mesh.cells)
+      for (const CellId &ancestor : line_of_descent(cell.id))
+        if (const auto known = sums.find(ancestor); known != sums.end())
+          {
+            densities.push_back(known->second.value / known->second.volume);
+            break;
+          }
+    for (const auto &simplex : mesh.simplices)
+      result.push_back(densities[simplex.cell] * volume(mesh.corners(simplex)));
+    return result;
+  }
+
+
+
+  template class DensityTransfer<2>;
+  template class DensityTransfer<3>;
+} // namespace ElastoPlastic
