@@ -44,7 +44,7 @@ set_source_files_properties(
   ${CMAKE_SOURCE_DIR}/source/simd/shape_info_and_faces.cc
   PROPERTIES COMPILE_OPTIONS "-O1;-g0")
 
-# Threads are for one file only.
+# Regions of OpenMP are in one file only.
 set_source_files_properties(${CMAKE_SOURCE_DIR}/source/bounds/conic/multifrontal_factor.cc PROPERTIES
   COMPILE_OPTIONS "${OpenMP_CXX_FLAGS}" SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 

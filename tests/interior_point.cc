@@ -248,6 +248,28 @@ namespace
     program.right_hand_side.reinit(1);
     print_error("Along a ray", [&]() { minimize(program, 1e-9); });
   }
+
+
+
+  // Of the first blocks; the others and those of which nothing is expected get
+  // a part of the mean.
+  void
+  test_expected_multipliers()
+  {
+    ConicProgram program;
+    program.blocks = {ball(2, 1.), ball(2, 1.), ball(2, 1.)};
+    output() << "Expected multipliers" << std::endl;
+    program.expect_multipliers({});
+    verify("nothing known", program.expected_multipliers.empty());
+    program.expect_multipliers({0., 0.});
+    verify("nothing expected", program.expected_multipliers.empty());
+    program.expect_multipliers({-1e-9, 6e-3});
+    const auto &expected = program.expected_multipliers;
+    verify("all blocks", expected.size() == 3);
+    verify("what is negative is zero", expected[0] == expected[2]);
+    verify("positive", expected[2] > 1e-3 && expected[2] < 6e-2);
+    verify("added", std::abs(expected[1] - expected[2] - 6e-3), 1e-15);
+  }
 } // namespace
 
 
@@ -261,6 +283,7 @@ main(int argc, char *argv[])
   test_load_factor();
   test_early_end();
   test_no_cones();
+  test_expected_multipliers();
   test_no_solution();
   test_unbounded();
 }

@@ -41,8 +41,7 @@ namespace ElastoPlastic
 
 
   /// What is known of the multipliers of both programs, by simplices, from the
-  /// bounds on a coarser mesh: with it, the solver takes a third less
-  /// iterations, in space half of them.
+  /// bounds on a coarser mesh: with it, the solver takes fewer iterations.
   struct ExpectedMultipliers
   {
     std::vector<double> of_stress;

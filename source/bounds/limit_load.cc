@@ -4,6 +4,7 @@
 #include <future>
 
 #include "bounds/body/split_body.h"
+#include "bounds/conic/exclusive_work.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mesh/density_transfer.h"
@@ -130,9 +131,9 @@ namespace ElastoPlastic
 
 
 
-    /// Calls both functions, at the same time if there are several threads
-    /// (OpenMP), each with half of them. If both throw, the error of the first
-    /// counts.
+    /// Calls both functions, if there are several threads (OpenMP) each with
+    /// half of them: they minimize() at the same time, and do what else they do
+    /// in turn. If both throw, the error of the first counts.
     template <typename First, typename Second>
     void
     call_side_by_side(const First &first, const Second &second)
@@ -146,10 +147,12 @@ namespace ElastoPlastic
         }
       auto end_of_second = std::async(std::launch::async, [&]() {
         const ScopedThreadLimit limit(n_threads / 2);
+        const ExclusiveWork     work;
         second();
       });
       {
         const ScopedThreadLimit limit(n_threads - n_threads / 2);
+        const ExclusiveWork     work;
         first();
       }
       end_of_second.get();

@@ -324,8 +324,10 @@ namespace ElastoPlastic
     check_material_ids(triangulation, model.materials.size());
     const SplitMesh<dim> last = std::move(body.mesh);
     setup_body();
-    if (first_rank)
-      expected = expected_multipliers(bounds, last, body.mesh);
+    rethrow_collectively(communicator, [&]() {
+      if (first_rank)
+        expected = expected_multipliers(bounds, last, body.mesh);
+    });
     ++cycle;
   }
 } // namespace ElastoPlastic

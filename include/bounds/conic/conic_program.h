@@ -111,7 +111,7 @@ namespace ElastoPlastic
 
     /// Sets expected_multipliers: of the first blocks to @p of_blocks, and of
     /// all a few times the mean more, because what is expected to be zero may
-    /// not be. Nothing changes if the vector is empty.
+    /// not be. Nothing changes if there are none, or if their mean is zero.
     void
     expect_multipliers(const std::vector<double> &of_blocks);
 
@@ -189,8 +189,9 @@ namespace ElastoPlastic
   struct ConicSolution : KktVector
   {
     Vector<double> s; ///< see ConicLayout::rows
-    /// By blocks, the mean of the first entries of z in its cones: a program
-    /// for a finer mesh can be told to expect_multipliers().
+    /// By blocks, the mean of the first entries of z in its cones, relative to
+    /// their ConeScale: a program for a finer mesh can be told to
+    /// expect_multipliers().
     std::vector<double> multipliers;
 
     double       cost         = 0; ///< 1/2 x^T P x + c^T x - lambda

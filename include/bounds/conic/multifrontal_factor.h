@@ -133,12 +133,13 @@ namespace ElastoPlastic
 
 
 
-/// The steps of a Cholesky factorisation of large dense matrices, which are
-/// stored by columns, @p stride numbers apart; only their lower halves are
-/// read. What they do is what dpotrf, dtrsm and dsyrk of LAPACK and BLAS do, at
-/// about the same speed. But not every BLAS can be called by several threads at
-/// a time (Debian's libopenblas0-serial returns wrong numbers), and rounding
-/// errors of the BLAS depend on the processor.
+/// The steps of a Cholesky factorisation of large dense matrices, and of
+/// solutions with it. They are stored by columns, @p stride numbers apart; only
+/// their lower halves are read. What they do is what dpotrf, dtrsm, dsyrk,
+/// dtrsv and dgemv of LAPACK and BLAS do, at about the same speed. But not
+/// every BLAS can be called by several threads at a time (Debian's
+/// libopenblas0-serial returns wrong numbers), and rounding errors of the BLAS
+/// depend on the processor.
 namespace ElastoPlastic::DensePanels
 {
   /// A := L for the n x n matrix A = L L^T, where n is small: the other

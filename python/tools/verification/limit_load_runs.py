@@ -13,13 +13,13 @@ from elasto_plastic_contact.program import MPI_ENVIRONMENT
 from elasto_plastic_contact.tables import read_table
 
 
-def start(runner, folder, n_cycles):
-    """The strip punch on so many meshes, with one row on the screen for each."""
-    command = [runner.program, runner.case("limit_load/strip_punch.prm"), "--output-directory", folder, "--overwrite"]
-    for entry in (f"Refinement/Number of cycles={n_cycles}", "Output/Screen=summary", "Output/Fields=never"):
+def start(runner, folder, n_cycles, *entries, case="strip_punch", n_threads=1):
+    """A limit load on so many meshes, with one row on the screen for each."""
+    command = [runner.program, runner.case(f"limit_load/{case}.prm"), "--output-directory", folder, "--overwrite"]
+    for entry in (f"Refinement/Number of cycles={n_cycles}", "Output/Screen=summary", "Output/Fields=never", *entries):
         command += ["--set", entry]
-    return subprocess.Popen(command, env=os.environ | MPI_ENVIRONMENT, text=True, stdout=subprocess.PIPE,
-                            stderr=subprocess.PIPE)
+    return subprocess.Popen(command, env=os.environ | MPI_ENVIRONMENT | {"OMP_NUM_THREADS": str(n_threads)}, text=True,
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
 def limit_load_runs(runner):
@@ -64,3 +64,22 @@ def limit_load_passes(runner):
     one_pass = last(8)
     runner.compare("triangles, three passes over one", alone["triangles"] / one_pass["triangles"], 1, 0.15)
     runner.verify("a smaller difference of the bounds", alone["relative_difference"] < one_pass["relative_difference"])
+
+
+def limit_load_threads(runner):
+    """Both bounds of plane bodies and bodies of revolution side by side: the same numbers, and the same errors."""
+    def run(case, n_threads, *entries):
+        with tempfile.TemporaryDirectory() as folder:
+            process = start(runner, folder, 4, *entries, case=case, n_threads=n_threads)
+            message = process.communicate()[1]
+            rows = [row | {"wall_seconds": 0} for row in read_table(pathlib.Path(folder) / "limit_load.csv")]
+        return process.returncode, rows, message
+
+    for case in ("strip_punch", "circular_punch", "plate_with_hole", "footing_circular"):
+        alone, shared = run(case, 1), run(case, 2)
+        runner.verify(f"{case}: four meshes", alone[0] == shared[0] == 0 and len(alone[1]) == 4)
+        runner.verify(f"{case}: the same in all digits", alone == shared)
+    enclosed = ("Boundary conditions/Roller=left, right", "Boundary conditions/Free=", "Indenter/Half width=10")
+    alone, shared = run("strip_punch", 1, *enclosed), run("strip_punch", 2, *enclosed)
+    runner.verify("no limit load", alone[0] == 3 and "There is no limit load" in alone[2])
+    runner.verify("no limit load: the same message", alone == shared)

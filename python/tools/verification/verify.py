@@ -27,7 +27,7 @@ from .finite_strain import (cone_in_space, finite_cone, finite_strain, finite_st
                             finite_strain_resume, published_cones, pyramids, symmetric_bodies)
 from .friction import (adhesion, bonded_punch, friction_ranks, friction_resume, friction_symmetries, mindlin_cylinder,
                        mindlin_sphere, sliding_mesh, spence, ssnv128)
-from .limit_load_runs import limit_load_passes, limit_load_runs
+from .limit_load_runs import limit_load_passes, limit_load_runs, limit_load_threads
 from .loads import body_force, limit_load_factors
 from .hertz import first_yield, hertz, hertz_axisymmetric, hertz_cylinder
 from .imprint import imprint, imprint_ranks, mean_strain_of_rings, probes
@@ -309,7 +309,7 @@ ALL = {
                      imprint_ranks, probes, mean_strain_of_rings, strip_punch, strip_punch_locks,
                      limit_load, limit_load_revolution, limit_load_space, limit_load_factors, soil_footing, soil_surcharge, soil_layers, soil_weight, soil_revolution, soil_space, soil_fine, soil_space_fine, body_force, blas_kernels,
                      safe_load, error_bound, error_bound_ranks,
-                     error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, limit_load_passes, zero_stress,
+                     error_bound_refinement, error_bound_revolution, error_bound_space, force_bounds, equilibrium_hertz, equilibrium_limit, limit_load_runs, limit_load_passes, limit_load_threads, zero_stress,
                      zero_force, far_indenter, units, prescribed_from_nothing, contrast, direct_contact, moved_body,
                      nearly_incompressible, job_preview, curved_body,
                      finite_strain, finite_strain_ranks, finite_strain_resume, finite_cone, rough_finite_strain, published_cones,

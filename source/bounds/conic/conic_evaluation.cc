@@ -216,7 +216,7 @@ namespace ElastoPlastic
                            end   = layout.first_cones[b + 1];
         double sum               = 0;
         for (unsigned int c = begin; c < end; ++c)
-          sum += z[layout.cones[c].begin];
+          sum += z[layout.cones[c].begin] / layout.scales[c].multiplier;
         result.push_back(begin < end ? sum / (end - begin) : 0.);
       }
     return result;

@@ -77,8 +77,9 @@ namespace ElastoPlastic
       smallest_multiplier *
       std::accumulate(of_blocks.begin(), of_blocks.end(), 0.) /
       of_blocks.size();
-    if (!(smallest > 0.)) // also if there are none
+    if (!(smallest > 0.)) // nor if there are none
       return;
+    Assert(of_blocks.size() <= blocks.size(), ExcInternalError());
     expected_multipliers.assign(blocks.size(), smallest);
     for (unsigned int b = 0; b < of_blocks.size(); ++b)
       expected_multipliers[b] += std::max(0., of_blocks[b]);

@@ -9,6 +9,7 @@
 #include "base/exceptions.h"
 #include "base/process.h"
 #include "bounds/conic/conic_evaluation.h"
+#include "bounds/conic/exclusive_work.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
 #include "bounds/conic/tolerances.h"
@@ -387,6 +388,8 @@ namespace ElastoPlastic
         block.add_inequality(Vector<double>(block.linear_cost.size()));
         block.cone_offset[0] = 1.;
       }
-    return InteriorPoint(std::move(program), tolerance).run();
+    InteriorPoint              iteration(std::move(program), tolerance);
+    const ExclusiveWork::Pause pause;
+    return iteration.run();
   }
 } // namespace ElastoPlastic

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
-#include <mutex>
 
 #include "base/process.h"
 #include "bounds/conic/sparse_cholesky.h"
@@ -15,6 +14,8 @@ namespace ElastoPlastic
     // Errors are reported by return values.
     print      = 0;
     supernodal = CHOLMOD_SUPERNODAL;
+    // METIS' own ordering would catch SIGTERM.
+    default_nesdis = 1;
   }
 
 
@@ -43,13 +44,7 @@ namespace ElastoPlastic
     matrix.xtype              = CHOLMOD_PATTERN;
     matrix.dtype              = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
-    {
-      // METIS takes the random numbers of the C library: another thread would
-      // change the order.
-      static std::mutex                 one_at_a_time;
-      const std::lock_guard<std::mutex> lock(one_at_a_time);
-      factor.reset(cholmod_l_analyze(&matrix, &common));
-    }
+    factor.reset(cholmod_l_analyze(&matrix, &common));
     if (!factor)
       throw std::bad_alloc();
     fronts = std::make_unique<MultifrontalFactor>(*factor);
@@ -60,6 +55,9 @@ namespace ElastoPlastic
     if (!cholmod_l_change_factor(
           CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
       throw std::bad_alloc();
+    // (Memory that has not been touched does not count as used: another factor
+    // would find room in it, too.)
+    std::fill_n(static_cast<double *>(factor->x), factor->xsize, 0.);
   }
 
 

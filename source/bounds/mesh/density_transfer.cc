@@ -25,6 +25,8 @@ namespace ElastoPlastic
   DensityTransfer<dim>::DensityTransfer(const SplitMesh<dim>      &mesh,
                                         const std::vector<double> &of_simplices)
   {
+    Assert(of_simplices.empty() || of_simplices.size() == mesh.simplices.size(),
+           ExcInternalError());
     for (unsigned int t = 0; t < of_simplices.size(); ++t)
       {
         const auto &simplex = mesh.simplices[t];
@@ -53,6 +55,7 @@ namespace ElastoPlastic
             densities.push_back(known->second.value / known->second.volume);
             break;
           }
+    AssertDimension(densities.size(), mesh.cells.size());
     for (const auto &simplex : mesh.simplices)
       result.push_back(densities[simplex.cell] * volume(mesh.corners(simplex)));
     return result;
