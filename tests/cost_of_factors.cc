@@ -96,7 +96,8 @@ namespace
     explicit Supernodal(const SparseMatrix<double> &lower)
     {
       cholmod_l_start(&common);
-      common.supernodal = CHOLMOD_SUPERNODAL;
+      common.supernodal     = CHOLMOD_SUPERNODAL;
+      common.default_nesdis = 1; // as SparseCholesky
       begins.push_back(0);
       for (unsigned int row = 0; row < lower.m(); ++row)
         {

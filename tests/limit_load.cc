@@ -144,7 +144,7 @@ namespace
 
 
 
-  // Both programs at the same time, each with a thread of its own.
+  // Both programs at the same time, one of them with two threads.
   void
   test_threads(const SplitBody<2> &body)
   {
@@ -152,9 +152,9 @@ namespace
     const LimitLoad<2> one = bound_limit_load(body, 1);
     omp_set_num_threads(3);
     const LimitLoad<2> three = bound_limit_load(body, 1);
+    output() << "Side by side" << std::endl;
     verify("three threads remain", omp_get_max_threads() == 3);
     omp_set_num_threads(1);
-    output() << "Side by side" << std::endl;
     verify("the same lower bound", one.lower_bound == three.lower_bound);
     verify("the same upper bound", one.upper_bound == three.upper_bound);
     verify("the same gaps", one.gaps == three.gaps);

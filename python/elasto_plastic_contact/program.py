@@ -21,11 +21,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 INSTALLED_CASES = "share/elasto_plastic_contact/parameter_files"
 PROGRAM_VARIABLE = "ELASTO_PLASTIC_CONTACT"
 
-# One thread a rank, also as root, on fewer cores than ranks, and in a container; on one machine, so that Open MPI need
+# One thread a rank unless the environment says otherwise, also as root, on fewer cores than ranks, and in a container; on one machine, so that Open MPI need
 # not look for networks at each start. (Version 5 has another name for what version 4 calls oversubscribe, which version
 # 6 calls deprecated.)
 MPI_ENVIRONMENT = {
-    "OMP_NUM_THREADS": "1",
+    "OMP_NUM_THREADS": os.environ.get("OMP_NUM_THREADS", "1"),
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_rmaps_base_oversubscribe": "1",

@@ -30,9 +30,9 @@ namespace ElastoPlastic
 
 
   /// Of which size the slack s and the multiplier z of a cone are expected to
-  /// be. The iteration begins with such values, and their product says how
-  /// much of s^T z the cone may keep: for instance, what its triangle has of
-  /// the area.
+  /// be. The iteration begins with such values (times
+  /// ConicProgram::expected_multipliers), and their product says how much of
+  /// s^T z the cone may keep: for instance, what its triangle has of the area.
   struct ConeScale
   {
     double slack      = 1.;

@@ -10,9 +10,9 @@ namespace ElastoPlastic
 {
   /// While it lives, no other thread has one: what programs are made of, and
   /// what is made of their solutions, is the work of one thread at a time. For
-  /// deal.II's matrices call the BLAS, which not every one can do from two
-  /// threads (see DensePanels), and METIS takes the random numbers of the C
-  /// library.
+  /// deal.II's matrices call the BLAS, and not every BLAS can be called by two
+  /// threads at a time (see DensePanels); and METIS takes the random numbers of
+  /// the C library.
   class ExclusiveWork
   {
   public:
@@ -41,13 +41,19 @@ namespace ElastoPlastic
         : is_pause(is_held)
       {
         if (is_pause)
-          mutex().unlock();
+          {
+            is_held = false;
+            mutex().unlock();
+          }
       }
 
       ~Pause()
       {
         if (is_pause)
-          mutex().lock();
+          {
+            mutex().lock();
+            is_held = true;
+          }
       }
 
       Pause(const Pause &) = delete;

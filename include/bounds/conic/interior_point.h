@@ -55,7 +55,8 @@ namespace ElastoPlastic
   /// is moved here is not held in memory twice.
   /// @param tolerance for the gap, relative to the cost. If rounding errors end
   /// the iteration before, the solution is the best iterate. In any case,
-  /// make_admissible() has restored its equations.
+  /// make_admissible() has restored its equations. ExclusiveWork of this thread
+  /// pauses during the iteration.
   /// @throws ConvergenceError if the gap has not even come below 1 %, in
   /// particular if the program has no solution; TerminationError if this
   /// process has been asked to end.

@@ -22,6 +22,24 @@ def start(runner, folder, n_cycles, *entries, case="strip_punch", n_threads=1):
                             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
+def end_on_request(runner, n_threads=1):
+    """SIGTERM after some meshes."""
+    with tempfile.TemporaryDirectory() as folder:
+        table = pathlib.Path(folder) / "limit_load.csv"
+        process = start(runner, folder, 40, n_threads=n_threads)
+        while process.poll() is None and (not table.exists() or len(read_table(table)) != 3):
+            time.sleep(0.01)
+        process.terminate()
+        message = process.communicate()[1]
+        last = read_table(table)[-1]
+        runner.verify("exit status after SIGTERM", process.returncode == 143)
+        said = re.search(r"The limit load is between\s+(\S+)\s+and\s+([^\s,]+)", message)
+        runner.verify("says its bounds", said is not None)
+        if said:
+            for number, name in enumerate(("lower_bound", "upper_bound"), 1):
+                runner.compare(f"{name} of the last mesh", float(said.group(number)), last[name], 1e-9)
+
+
 def limit_load_runs(runner):
     """The summary of a limit load has the bounds, and SIGTERM leaves the last ones."""
     with tempfile.TemporaryDirectory() as folder:
@@ -34,18 +52,7 @@ def limit_load_runs(runner):
         runner.compare("bounds on the screen", max(abs(a / b - 1) for a, b in zip(sum(shown, []), sum(computed, [])) if b),
                        0, 1e-9, absolute=True)
 
-        process = start(runner, folder, 40)
-        while process.poll() is None and (not table.exists() or len(read_table(table)) != 3):
-            time.sleep(0.01)
-        process.terminate()
-        message = process.communicate()[1]
-        last = read_table(table)[-1]
-        runner.verify("exit status after SIGTERM", process.returncode == 143)
-        said = re.search(r"The limit load is between\s+(\S+)\s+and\s+([^\s,]+)", message)
-        runner.verify("says its bounds", said is not None)
-        if said:
-            for number, name in enumerate(("lower_bound", "upper_bound"), 1):
-                runner.compare(f"{name} of the last mesh", float(said.group(number)), last[name], 1e-9)
+    end_on_request(runner)
 
 
 def limit_load_passes(runner):
@@ -83,3 +90,4 @@ def limit_load_threads(runner):
     alone, shared = run("strip_punch", 1, *enclosed), run("strip_punch", 2, *enclosed)
     runner.verify("no limit load", alone[0] == 3 and "There is no limit load" in alone[2])
     runner.verify("no limit load: the same message", alone == shared)
+    end_on_request(runner, n_threads=2)
