@@ -15,6 +15,7 @@
 
 #include "bounds/mesh/density_transfer.h"
 #include "refine_where.h"
+#include "values_of_simplices.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -24,28 +25,15 @@ namespace
   template <int dim>
   using Mesh = parallel::distributed::Triangulation<dim>;
 
-  template <int dim>
-  double
-  first_coordinate(const SplitMesh<dim>                   &mesh,
-                   const typename SplitMesh<dim>::Simplex &simplex)
-  {
-    double sum = 0;
-    for (const auto &corner : mesh.corners(simplex))
-      sum += corner[0] / (dim + 1.);
-    return sum;
-  }
-
   /// The volumes of the simplices that are in one half of the cube, and a
   /// hundredth of those in the other.
   template <int dim>
   std::vector<double>
   values_on(const SplitMesh<dim> &mesh)
   {
-    std::vector<double> values;
-    for (const auto &simplex : mesh.simplices)
-      values.push_back((first_coordinate(mesh, simplex) < 0.5 ? 1. : 0.01) *
-                       volume(mesh.corners(simplex)));
-    return values;
+    return values_of_simplices<dim>(mesh, [](const Point<dim> &x) {
+      return x[0] < 0.5 ? 1. : 0.01;
+    });
   }
 
   double

@@ -9,11 +9,11 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <cmath>
-#include <functional>
 #include <utility>
 #include <vector>
 
 #include "bounds/mesh/predicted_gaps.h"
+#include "values_of_simplices.h"
 #include "verdict.h"
 
 using namespace ElastoPlastic;
@@ -27,25 +27,6 @@ namespace
   are_equal(const double a, const double b)
   {
     return std::abs(a - b) < 1e-6; // indicators are of single precision
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  gaps_of_simplices(const SplitMesh<dim>                            &mesh,
-                    const std::function<double(const Point<dim> &)> &density)
-  {
-    std::vector<double> gaps;
-    for (const auto &simplex : mesh.simplices)
-      {
-        const Corners<dim> corners = mesh.corners(simplex);
-        Point<dim>         centre;
-        for (const auto &corner : corners)
-          centre += corner / (dim + 1.);
-        gaps.push_back(volume(corners) * density(centre));
-      }
-    return gaps;
   }
 
 
@@ -95,13 +76,13 @@ namespace
 
     const PredictedGaps<dim> even(
       split,
-      gaps_of_simplices<dim>(split, [](const auto &) { return 1.; }),
+      values_of_simplices<dim>(split, [](const auto &) { return 1.; }),
       MPI_COMM_WORLD);
     const auto at_corner = [](const Point<dim> &x) {
       return 1. / x.norm_square();
     };
     const PredictedGaps<dim> peak(split,
-                                  gaps_of_simplices<dim>(split, at_corner),
+                                  values_of_simplices<dim>(split, at_corner),
                                   MPI_COMM_WORLD);
     const double             all = sum_of_gaps(peak.indicators(mesh));
 

@@ -191,8 +191,8 @@ namespace ElastoPlastic
                                               tolerance,
                                               expected.of_velocity);
     };
-    // In space, factorisations take most of the time and memory: the threads
-    // share the work of one after the other.
+    // In space, where the factors take most of the memory, there is one at a
+    // time, and the threads share its factorisation.
     if (dim == 2)
       call_side_by_side(find_stress, find_velocity);
     else

@@ -32,6 +32,13 @@ namespace ElastoPlastic
     {
       double value  = 0;
       double volume = 0;
+
+      void
+      operator+=(const Sum &other)
+      {
+        value += other.value;
+        volume += other.volume;
+      }
     };
 
     /// Of the cells of the mesh and of all those that these are parts of.

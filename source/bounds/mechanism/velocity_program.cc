@@ -16,24 +16,18 @@ namespace ElastoPlastic
 {
   namespace
   {
-    VelocityField<2>
-    find_mechanism(const SplitBody<2>        &body,
+    template <int dim>
+    VelocityField<dim>
+    find_mechanism(const SplitBody<dim>      &body,
                    const double               tolerance,
                    const std::vector<double> &expected)
     {
-      return body.can_slide() ?
-               find_stream(body, tolerance, expected) :
-               find_continuous_motion(body, tolerance, expected);
-    }
-
-    VelocityField<3>
-    find_mechanism(const SplitBody<3>        &body,
-                   const double               tolerance,
-                   const std::vector<double> &expected)
-    {
-      return body.can_slide() ?
-               find_flux(body, tolerance, expected) :
-               find_continuous_motion(body, tolerance, expected);
+      if (!body.can_slide())
+        return find_continuous_motion(body, tolerance, expected);
+      if constexpr (dim == 2)
+        return find_stream(body, tolerance, expected);
+      else
+        return find_flux(body, tolerance, expected);
     }
 
 

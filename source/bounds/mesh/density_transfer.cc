@@ -27,16 +27,18 @@ namespace ElastoPlastic
   {
     Assert(of_simplices.empty() || of_simplices.size() == mesh.simplices.size(),
            ExcInternalError());
+    if (of_simplices.empty())
+      return;
+    std::vector<Sum> of_cells(mesh.cells.size());
     for (unsigned int t = 0; t < of_simplices.size(); ++t)
       {
         const auto &simplex = mesh.simplices[t];
-        for (const CellId &cell : line_of_descent(mesh.cells[simplex.cell].id))
-          {
-            Sum &sum = sums[cell];
-            sum.value += of_simplices[t];
-            sum.volume += volume(mesh.corners(simplex));
-          }
+        of_cells[simplex.cell] +=
+          {of_simplices[t], volume(mesh.corners(simplex))};
       }
+    for (unsigned int c = 0; c < of_cells.size(); ++c)
+      for (const CellId &cell : line_of_descent(mesh.cells[c].id))
+        sums[cell] += of_cells[c];
   }
 
 
