@@ -108,6 +108,12 @@ namespace ElastoPlastic
   /// A file or directory could not be read or written.
   using FileError = ErrorOf<ExitStatus::io_failure>;
 
+  /// What has been asked for is more than the memory that is left.
+  struct MemoryError : FileError
+  {
+    using FileError::FileError;
+  };
+
 
 
   /// Runs @p body, which does the rank's own part of something and may

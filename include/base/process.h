@@ -26,12 +26,38 @@ namespace ElastoPlastic
 
 
   /// Compares what somebody is about to ask for with the machine's memory, of
-  /// which this process holds some already. Linux promises more than there is,
-  /// and ends processes that use it.
+  /// which this process holds some already, or has reserved it. Linux promises
+  /// more than there is, and ends processes that use it.
   /// @param purpose says what for, in a clause like "to factorise a matrix".
-  /// @throws FileError if the @p bytes do not fit.
+  /// @throws MemoryError if the @p bytes do not fit.
   void
   require_memory(const double bytes, const std::string &purpose);
+
+
+
+  /// While it lives, require_memory() counts these bytes as used: those of
+  /// something that asks for memory again and again, and gives it back, maybe
+  /// at the same time as others.
+  class ReservedMemory
+  {
+  public:
+    explicit ReservedMemory(const double bytes);
+    ~ReservedMemory();
+
+    ReservedMemory(const ReservedMemory &) = delete;
+    ReservedMemory &
+    operator=(const ReservedMemory &) = delete;
+
+  private:
+    const double bytes;
+  };
+
+
+
+  /// Gives memory that is not used back to the system, as far as the C library
+  /// can do that: it keeps what has been freed in pieces.
+  void
+  return_free_memory();
 
 
 

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <atomic>
 #include <csignal>
 #include <iomanip>
 #include <sstream>
@@ -11,6 +12,9 @@
 #include "base/exceptions.h"
 #include "base/process.h"
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 #include <unistd.h>
 
 namespace ElastoPlastic
@@ -23,6 +27,20 @@ namespace ElastoPlastic
     {
       return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
              static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    }
+
+
+
+    std::atomic<double> reserved_bytes = 0;
+
+
+
+    void
+    add_to(std::atomic<double> &sum, const double value)
+    {
+      double before = sum;
+      while (!sum.compare_exchange_weak(before, before + value))
+        ;
     }
 
 
@@ -64,7 +82,7 @@ namespace ElastoPlastic
 
     dealii::Utilities::System::MemoryStats stats;
     dealii::Utilities::System::get_memory_stats(stats);
-    const double used = 1024. * stats.VmRSS;
+    const double used = 1024. * stats.VmRSS + reserved_bytes;
     const double all  = physical_memory();
     if (bytes <= all - used)
       return;
@@ -76,7 +94,32 @@ namespace ElastoPlastic
             << " already. Choose a coarser mesh ('Geometry/Initial "
                "refinements'), or fewer of them ('Refinement/Number of "
                "cycles').";
-    throw FileError(message.str());
+    throw MemoryError(message.str());
+  }
+
+
+
+  ReservedMemory::ReservedMemory(const double bytes)
+    : bytes(bytes)
+  {
+    add_to(reserved_bytes, bytes);
+  }
+
+
+
+  ReservedMemory::~ReservedMemory()
+  {
+    add_to(reserved_bytes, -bytes);
+  }
+
+
+
+  void
+  return_free_memory()
+  {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
   }
 
 

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <future>
-
 #include "bounds/body/split_body.h"
-#include "bounds/conic/exclusive_work.h"
+#include "bounds/conic/side_by_side.h"
 #include "bounds/limit_load.h"
 #include "bounds/mechanism/face_view.h"
 #include "bounds/mesh/density_transfer.h"
 #include "bounds/stress/johnson_mercier.h"
-
-#include <omp.h>
 
 namespace ElastoPlastic
 {
@@ -103,60 +99,6 @@ namespace ElastoPlastic
           }
     }
 
-
-
-    /// How many threads factorisations that this thread begins may use, until
-    /// the end of a scope.
-    class ScopedThreadLimit
-    {
-    public:
-      explicit ScopedThreadLimit(const int n_threads)
-        : before(omp_get_max_threads())
-      {
-        omp_set_num_threads(n_threads);
-      }
-
-      ~ScopedThreadLimit()
-      {
-        omp_set_num_threads(before);
-      }
-
-      ScopedThreadLimit(const ScopedThreadLimit &) = delete;
-      ScopedThreadLimit &
-      operator=(const ScopedThreadLimit &) = delete;
-
-    private:
-      const int before;
-    };
-
-
-
-    /// Calls both functions, if there are several threads (OpenMP) each with
-    /// half of them: they minimize() at the same time, and do what else they do
-    /// in turn. If both throw, the error of the first counts.
-    template <typename First, typename Second>
-    void
-    call_side_by_side(const First &first, const Second &second)
-    {
-      const int n_threads = omp_get_max_threads();
-      if (n_threads == 1)
-        {
-          first();
-          second();
-          return;
-        }
-      auto end_of_second = std::async(std::launch::async, [&]() {
-        const ScopedThreadLimit limit(n_threads / 2);
-        const ExclusiveWork     work;
-        second();
-      });
-      {
-        const ScopedThreadLimit limit(n_threads - n_threads / 2);
-        const ExclusiveWork     work;
-        first();
-      }
-      end_of_second.get();
-    }
   } // namespace
 
 
@@ -191,15 +133,7 @@ namespace ElastoPlastic
                                               tolerance,
                                               expected.of_velocity);
     };
-    // In space, where the factors take most of the memory, there is one at a
-    // time, and the threads share its factorisation.
-    if (dim == 2)
-      call_side_by_side(find_stress, find_velocity);
-    else
-      {
-        find_stress();
-        find_velocity();
-      }
+    call_side_by_side(find_stress, find_velocity);
     bounds.lower_bound = body.load_factor_unit > 0 ? bounds.stress.load_factor :
                                                      bounds.stress.force;
     bounds.upper_bound = bounds.velocity.bound;

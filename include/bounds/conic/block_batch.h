@@ -82,9 +82,10 @@ namespace ElastoPlastic
       }
     };
 
-    /// All batches of a @p program.
+    /// All batches of a @p program, from which they take A and G: so the
+    /// memory need not hold these twice.
     static std::vector<BlockBatch>
-    make(const ConicProgram &program, const ConicLayout &layout);
+    make(ConicProgram &program, const ConicLayout &layout);
 
     /// Asks for the address of the entry of each pair of equations, the larger
     /// one first, in the matrix that eliminate() adds to.

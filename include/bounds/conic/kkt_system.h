@@ -4,8 +4,7 @@
 #ifndef bounds_conic_kkt_system_h
 #define bounds_conic_kkt_system_h
 
-#include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
 
 #include <memory>
 #include <vector>
@@ -31,8 +30,9 @@ namespace ElastoPlastic
   public:
     using Scalings = BlockBatch::Scalings;
 
-    /// The program must live as long as this object.
-    KktSystem(const ConicProgram &program, const ConicLayout &layout);
+    /// The program must live as long as this object, which takes A and G away
+    /// from it.
+    KktSystem(ConicProgram &program, const ConicLayout &layout);
 
     /// The blocks know where their entries are in the matrix of this one.
     KktSystem(const KktSystem &) = delete;
@@ -61,8 +61,10 @@ namespace ElastoPlastic
     subtract_product(KktVector &residual, const KktVector &solution) const;
 
   private:
+    /// Makes the diagonal of the sum larger by @p rounding, relative to each
+    /// entry, before it is factorised.
     bool
-    factorize_sum();
+    factorize_sum(const Scalings &scalings, const double rounding);
 
     void
     solve_sparse_and_dense(Vector<double> &y) const;
@@ -82,9 +84,7 @@ namespace ElastoPlastic
     std::vector<BlockBatch>       batches;
     mutable BlockBatch::Workspace workspace;
 
-    /// Of the sum of all blocks, only the lower half.
-    SparsityPattern                 sparsity_pattern;
-    SparseMatrix<double>            matrix;
+    /// Of the sum of all blocks, but for its dense row.
     std::unique_ptr<SparseCholesky> sparse_factor;
 
     /// The dense row of the matrix, solved with the sparse part; and what is

@@ -4,11 +4,11 @@
 #ifndef bounds_conic_multifrontal_factor_h
 #define bounds_conic_multifrontal_factor_h
 
-#include <deal.II/lac/sparsity_pattern.h>
 
 #include <cstddef>
-#include <memory>
 #include <vector>
+
+#include "bounds/conic/lower_triangle.h"
 
 #include <suitesparse/cholmod.h>
 
@@ -25,6 +25,15 @@ namespace ElastoPlastic
   class MultifrontalFactor
   {
   public:
+    /// Some rows of a child's update, from begin to before end, and by how much
+    /// later they come among those of the front.
+    struct Rows
+    {
+      unsigned int begin;
+      unsigned int end;
+      unsigned int shift;
+    };
+
     /// @p factor must be supernodal, with indices of 64 bits (those of 32 end
     /// at 2^31 entries), still without entries, and live as long as this
     /// object.
@@ -34,11 +43,10 @@ namespace ElastoPlastic
     double
     workspace() const;
 
-    /// Where to put the entries of the lower half of a matrix, as they follow
-    /// each other in its @p pattern, in the array of the factor before it is
-    /// factorised; all others are zero.
-    std::vector<std::size_t>
-    positions(const dealii::SparsityPattern &pattern) const;
+    /// Where the entry of the unknowns @p i and @p j is in the array of the
+    /// factor; the matrix must have one there.
+    std::size_t
+    position(const unsigned int i, const unsigned int j) const;
 
     /// Replaces the entries of the matrix in the array of the factor by its
     /// own. @return false if the matrix is not positive definite.
@@ -75,19 +83,6 @@ namespace ElastoPlastic
       }
     };
 
-    /// Entries of the lower half of a matrix, by columns, which begin to be
-    /// zero.
-    using Update = std::unique_ptr<double, void (*)(void *)>;
-
-    /// Some rows of a child's update, from begin to before end, and by how much
-    /// later they come among those of the front.
-    struct Rows
-    {
-      unsigned int begin;
-      unsigned int end;
-      unsigned int shift;
-    };
-
     /// How many entries of updates are held while fronts are treated, one after
     /// the other.
     struct UpdatesHeld
@@ -105,12 +100,19 @@ namespace ElastoPlastic
     void
     divide_among_threads();
 
+    /// How many rows of a child's update are columns of its parent.
+    static unsigned int
+    n_columns_in_common(const Front &child, const Front &front);
+
+    // The steps of a front.
     void
-    assemble(const unsigned int f);
+    assemble_columns(const Front &front);
     bool
     eliminate(const Front &front);
     void
-    update(const unsigned int f);
+    find_update(const unsigned int f);
+    void
+    assemble_update(const unsigned int f);
     bool
     eliminate(const unsigned int f);
 
@@ -120,9 +122,15 @@ namespace ElastoPlastic
       return static_cast<const double *>(factor.x) + front.begin;
     }
 
-    cholmod_factor     &factor;
-    std::vector<Front>  fronts;
-    std::vector<Update> updates; ///< of what is eliminated later, by fronts
+    cholmod_factor    &factor;
+    std::vector<Front> fronts;
+    std::vector<LowerTriangle>
+      updates; ///< of what is eliminated later, by fronts
+
+    /// By unknowns of the matrix, when they are eliminated; and by the order of
+    /// elimination, in which front.
+    std::vector<unsigned int> places;
+    std::vector<unsigned int> front_of;
 
     /// The last fronts of independent parts, the largest first; and the fronts
     /// that come after all of these.
@@ -173,8 +181,18 @@ namespace ElastoPlastic::DensePanels
                    const double      *l,
                    const unsigned int stride);
 
-  /// The lower half of C -= A B^T for an m x k matrix A, the first n rows of
+  /// The lower half of C := -A B^T for an m x k matrix A, the first n rows of
   /// which are B. Above the diagonal of C, anything may result.
+  void
+  set_to_minus_square(double            *c,
+                      const unsigned int m,
+                      const unsigned int n,
+                      const unsigned int stride_of_c,
+                      const double      *a,
+                      const unsigned int k,
+                      const unsigned int stride);
+
+  /// The same for C -= A B^T.
   void
   subtract_square(double            *c,
                   const unsigned int m,

@@ -4,12 +4,13 @@
 #ifndef bounds_conic_sparse_cholesky_h
 #define bounds_conic_sparse_cholesky_h
 
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/process.h"
 #include "bounds/conic/multifrontal_factor.h"
 
 #include <suitesparse/cholmod.h>
@@ -22,22 +23,35 @@ namespace ElastoPlastic
   /// again, always with the same sparsity pattern. CHOLMOD
   /// @cite chen_davis_hager_rajamanickam_2008 finds the order of elimination
   /// and the structure of the factor; MultifrontalFactor computes its entries,
-  /// and solves.
+  /// and solves. The matrix is given by its entries, in the memory of the
+  /// factor, which then takes their place: clear(), entry() and factorize()
+  /// come in this order.
   class SparseCholesky
   {
   public:
-    /// Finds an ordering with little fill. @throws FileError if the factors are
+    /// Finds an ordering with little fill for a matrix of @p n unknowns, all of
+    /// which in each of the lists are @p coupled with each other: for instance
+    /// those on the sides of a triangle. @throws MemoryError if the factors are
     /// larger than the memory.
-    explicit SparseCholesky(const SparsityPattern &pattern);
+    SparseCholesky(const unsigned int                            n,
+                   const std::vector<std::vector<unsigned int>> &coupled);
 
     SparseCholesky(const SparseCholesky &) = delete;
     SparseCholesky &
     operator=(const SparseCholesky &) = delete;
 
-    /// @return false if the matrix is not positive definite. Only its lower
-    /// half is read.
+    /// Makes all entries of the matrix zero.
+    void
+    clear();
+
+    /// Of unknowns that are coupled, one for both orders; always at the same
+    /// address.
+    double &
+    entry(const unsigned int row, const unsigned int column);
+
+    /// @return false if the matrix is not positive definite.
     bool
-    factorize(const SparseMatrix<double> &matrix);
+    factorize();
 
     /// With the last factors.
     void
@@ -68,12 +82,14 @@ namespace ElastoPlastic
       }
     };
 
+    /// In which order to eliminate the unknowns of a matrix of this pattern.
+    std::vector<SuiteSparse_long>
+    find_order(cholmod_sparse pattern);
+
     Common                                         common;
     std::unique_ptr<cholmod_factor, FactorDeleter> factor;
     std::unique_ptr<MultifrontalFactor>            fronts;
-
-    /// Where the entries of the lower half are in the array of the factor.
-    std::vector<std::size_t> positions;
+    std::optional<ReservedMemory> reserved; ///< for the fronts' workspace
   };
 } // namespace ElastoPlastic
 

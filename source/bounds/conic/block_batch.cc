@@ -70,7 +70,7 @@ namespace ElastoPlastic
 
   // Blocks stay as near to each other as they are in the program.
   std::vector<BlockBatch>
-  BlockBatch::make(const ConicProgram &program, const ConicLayout &layout)
+  BlockBatch::make(ConicProgram &program, const ConicLayout &layout)
   {
     struct Group
     {
@@ -84,6 +84,11 @@ namespace ElastoPlastic
       if (!group.blocks.empty())
         batches.push_back(BlockBatch(
           program, layout, group.shape, group.blocks, group.null_space));
+      for (const unsigned int b : group.blocks)
+        {
+          program.blocks[b].cone_matrix.reinit(0, 0);
+          program.blocks[b].coupling.reinit(0, 0);
+        }
       group.blocks.clear();
       group.null_space.clear();
     };

@@ -113,6 +113,61 @@ namespace ElastoPlastic::DensePanels
 
 
 
+    /// The same for C := -product.
+    void
+    set_to_minus(double            *c,
+                 const unsigned int m,
+                 const unsigned int n,
+                 const std::size_t  stride,
+                 const Product     &product)
+    {
+      const double *entries = product.entries;
+      for (unsigned int j = 0; j < n; ++j, c += stride, entries += n_rows)
+        for (unsigned int i = 0; i < m; ++i)
+          c[i] = -entries[i];
+    }
+
+
+
+    /// Calls store(C, rows, columns, stride, product) for each part of the
+    /// lower half of C whose part of A B^T is one product. @p k is the depth at
+    /// most.
+    template <typename Store>
+    void
+    multiply_square(double            *c,
+                    const unsigned int m,
+                    const unsigned int n,
+                    const unsigned int stride_of_c,
+                    const double      *a,
+                    const unsigned int k,
+                    const unsigned int stride,
+                    const Store       &store)
+    {
+      thread_local Buffer rows, columns;
+      Product             product;
+      rows.resize_fast(n_rows * depth);
+      columns.resize_fast((n + n_columns) * depth);
+      for (unsigned int j = 0; j < n; j += n_columns)
+        pack<n_columns>(
+          &columns[j * depth], a + j, std::min(n_columns, n - j), k, stride);
+      for (unsigned int i = 0; i < m; i += n_rows)
+        {
+          const unsigned int height = std::min(n_rows, m - i);
+          pack<n_rows>(rows.begin(), a + i, height, k, stride);
+          for (unsigned int j = 0; j < n && j < i + n_rows; j += n_columns)
+            {
+              multiply(product, rows.begin(), &columns[j * depth], k);
+              store(c + std::size_t(j) * stride_of_c + i,
+                    height,
+                    std::min(n_columns, n - j),
+                    stride_of_c,
+                    product);
+            }
+        }
+    }
+
+
+
     /// X := (X - product) L^-T for packed columns of X, with the @p n columns
     /// of L that are packed in @p l.
     void
@@ -302,6 +357,23 @@ namespace ElastoPlastic::DensePanels
 
 
   void
+  set_to_minus_square(double            *c,
+                      const unsigned int m,
+                      const unsigned int n,
+                      const unsigned int stride_of_c,
+                      const double      *a,
+                      const unsigned int k,
+                      const unsigned int stride)
+  {
+    const unsigned int first = std::min(k, depth);
+    multiply_square(c, m, n, stride_of_c, a, first, stride, set_to_minus);
+    subtract_square(
+      c, m, n, stride_of_c, a + std::size_t(first) * stride, k - first, stride);
+  }
+
+
+
+  void
   subtract_square(double            *c,
                   const unsigned int m,
                   const unsigned int n,
@@ -310,37 +382,14 @@ namespace ElastoPlastic::DensePanels
                   const unsigned int k,
                   const unsigned int stride)
   {
-    thread_local Buffer rows, columns;
-    Product             product;
-    rows.resize_fast(n_rows * depth);
-    columns.resize_fast((n + n_columns) * depth);
     for (unsigned int first = 0; first < k; first += depth)
-      {
-        const unsigned int  n_packed = std::min(depth, k - first);
-        const double *const begin    = a + std::size_t(first) * stride;
-        for (unsigned int j = 0; j < n; j += n_columns)
-          pack<n_columns>(&columns[j * depth],
-                          begin + j,
-                          std::min(n_columns, n - j),
-                          n_packed,
-                          stride);
-        for (unsigned int i = 0; i < m; i += n_rows)
-          {
-            pack<n_rows>(rows.begin(),
-                         begin + i,
-                         std::min(n_rows, m - i),
-                         n_packed,
-                         stride);
-            for (unsigned int j = 0; j < n && j < i + n_rows; j += n_columns)
-              {
-                multiply(product, rows.begin(), &columns[j * depth], n_packed);
-                subtract(c + std::size_t(j) * stride_of_c + i,
-                         std::min(n_rows, m - i),
-                         std::min(n_columns, n - j),
-                         stride_of_c,
-                         product);
-              }
-          }
-      }
+      multiply_square(c,
+                      m,
+                      n,
+                      stride_of_c,
+                      a + std::size_t(first) * stride,
+                      std::min(depth, k - first),
+                      stride,
+                      subtract);
   }
 } // namespace ElastoPlastic::DensePanels

@@ -57,16 +57,12 @@ namespace ElastoPlastic
         for (unsigned int c = 0; c < n_cones; ++c)
           shares[c] = scales[c].slack * scales[c].multiplier;
         shares /= shares.l1_norm();
-        for (ConicBlock &block : program.blocks)
-          {
-            block.cone_matrix.reinit(0, 0);
-            block.coupling.reinit(0, 0);
-          }
         current.x.reinit(layout.unknowns.back());
         current.s.reinit(layout.rows.back());
         current.z.reinit(layout.rows.back());
         current.y.reinit(program.right_hand_side.size());
         scaled = current.z;
+        return_free_memory(); // of what the program was made from
       }
 
       ConicSolution

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <limits>
 
 #include "bounds/conic/kkt_system.h"
+#include "bounds/conic/shared_threads.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
@@ -27,25 +26,23 @@ namespace ElastoPlastic
 
 
 
-  KktSystem::KktSystem(const ConicProgram &program, const ConicLayout &layout)
+  KktSystem::KktSystem(ConicProgram &program, const ConicLayout &layout)
     : program(program)
     , n_sparse_rows(program.right_hand_side.size() -
                     (program.has_dense_row ? 1 : 0))
     , batches(BlockBatch::make(program, layout))
     , dense_row(n_sparse_rows)
   {
-    DynamicSparsityPattern couplings(n_sparse_rows, n_sparse_rows);
+    std::vector<std::vector<unsigned int>> coupled;
     for (const ConicBlock &block : program.blocks)
-      for (const unsigned int i : block.rows)
-        for (const unsigned int j : block.rows)
-          if (j <= i && i < n_sparse_rows)
-            couplings.add(i, j);
-    sparsity_pattern.copy_from(couplings);
-    matrix.reinit(sparsity_pattern);
-    sparse_factor = std::make_unique<SparseCholesky>(sparsity_pattern);
+      std::copy_if(block.rows.begin(),
+                   block.rows.end(),
+                   std::back_inserter(coupled.emplace_back()),
+                   [&](const unsigned int row) { return row < n_sparse_rows; });
+    sparse_factor = std::make_unique<SparseCholesky>(n_sparse_rows, coupled);
     for (BlockBatch &batch : batches)
       batch.set_targets([&](const unsigned int row, const unsigned int column) {
-        return row < n_sparse_rows    ? &matrix(row, column) :
+        return row < n_sparse_rows    ? &sparse_factor->entry(row, column) :
                column < n_sparse_rows ? &dense_row[column] :
                                         &dense_square;
       });
@@ -56,13 +53,13 @@ namespace ElastoPlastic
   bool
   KktSystem::factorize(const Scalings &scalings)
   {
-    matrix       = 0.;
-    dense_row    = 0.;
-    dense_square = 0.;
-    for (BlockBatch &batch : batches)
-      if (!batch.eliminate(scalings))
-        return false;
-    if (!factorize_sum())
+    const SharedThreads::Share share;
+    const auto                &roundings = Tolerance::roundings_of_sum;
+    if (std::none_of(roundings.begin(),
+                     roundings.end(),
+                     [&](const double rounding) {
+                       return factorize_sum(scalings, rounding);
+                     }))
       return false;
     if (program.has_dense_row)
       {
@@ -78,18 +75,18 @@ namespace ElastoPlastic
 
 
   bool
-  KktSystem::factorize_sum()
+  KktSystem::factorize_sum(const Scalings &scalings, const double rounding)
   {
-    double added = 0;
-    for (const double rounding : Tolerance::roundings_of_sum)
-      {
-        for (unsigned int i = 0; i < n_sparse_rows; ++i)
-          matrix.diag_element(i) *= 1. + rounding - added;
-        added = rounding;
-        if (sparse_factor->factorize(matrix))
-          return true;
-      }
-    return false;
+    sparse_factor->clear();
+    dense_row    = 0.;
+    dense_square = 0.;
+    for (BlockBatch &batch : batches)
+      if (!batch.eliminate(scalings))
+        return false;
+    if (rounding > 0)
+      for (unsigned int i = 0; i < n_sparse_rows; ++i)
+        sparse_factor->entry(i, i) *= 1. + rounding;
+    return sparse_factor->factorize();
   }
 
 

@@ -2,78 +2,251 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
-#include "base/process.h"
 #include "bounds/conic/sparse_cholesky.h"
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    using Lists   = std::vector<std::vector<unsigned int>>;
+    using Indices = std::vector<SuiteSparse_long>;
+
+
+
+    /// The lists of unknowns that belong to the same of the @p coupled lists,
+    /// and therefore have entries in the same columns: the number of each.
+    std::vector<unsigned int>
+    numbers_of_groups(const unsigned int n, const Lists &coupled)
+    {
+      std::vector<unsigned int> numbers(n, 0);
+      unsigned int              n_groups = 1;
+      for (const std::vector<unsigned int> &list : coupled)
+        {
+          // Which group becomes which, as far as it is in this list.
+          std::vector<std::pair<unsigned int, unsigned int>> parts;
+          for (const unsigned int i : list)
+            {
+              auto part =
+                std::find_if(parts.begin(), parts.end(), [&](const auto &p) {
+                  return p.first == numbers[i];
+                });
+              if (part == parts.end())
+                part = parts.insert(part, {numbers[i], n_groups++});
+              numbers[i] = part->second;
+            }
+        }
+      return numbers;
+    }
+
+
+
+    /// The unknowns of each group.
+    Lists
+    find_groups(const unsigned int n, const Lists &coupled)
+    {
+      const auto numbers = numbers_of_groups(n, coupled);
+      Lists      groups(*std::max_element(numbers.begin(), numbers.end()) + 1);
+      for (unsigned int i = 0; i < n; ++i)
+        groups[numbers[i]].push_back(i);
+      groups.erase(std::remove_if(groups.begin(),
+                                  groups.end(),
+                                  [](const auto &group) {
+                                    return group.empty();
+                                  }),
+                   groups.end());
+      return groups;
+    }
+
+
+
+    /// Which groups are coupled with each, itself included.
+    Lists
+    find_neighbors(const unsigned int n,
+                   const Lists       &groups,
+                   const Lists       &coupled)
+    {
+      std::vector<unsigned int> first(n, n); // of a group: its number
+      for (unsigned int g = 0; g < groups.size(); ++g)
+        first[groups[g].front()] = g;
+      Lists neighbors(groups.size());
+      for (unsigned int g = 0; g < groups.size(); ++g)
+        neighbors[g].push_back(g);
+      for (const std::vector<unsigned int> &list : coupled)
+        {
+          std::vector<unsigned int> of_list;
+          for (const unsigned int i : list)
+            if (first[i] < n)
+              of_list.push_back(first[i]);
+          for (const unsigned int g : of_list)
+            neighbors[g].insert(neighbors[g].end(),
+                                of_list.begin(),
+                                of_list.end());
+        }
+      for (std::vector<unsigned int> &list : neighbors)
+        {
+          std::sort(list.begin(), list.end());
+          list.erase(std::unique(list.begin(), list.end()), list.end());
+        }
+      return neighbors;
+    }
+
+
+
+    /// A pattern of columns, the upper half of which CHOLMOD reads.
+    struct Pattern
+    {
+      Indices begins = {0};
+      Indices rows;
+
+      void
+      end_column()
+      {
+        begins.push_back(rows.size());
+      }
+
+      cholmod_sparse
+      view()
+      {
+        cholmod_sparse matrix = {};
+        matrix.nrow = matrix.ncol = begins.size() - 1;
+        matrix.nzmax              = rows.size();
+        matrix.p                  = begins.data();
+        matrix.i                  = rows.data();
+        matrix.stype              = 1;
+        matrix.itype              = CHOLMOD_LONG;
+        matrix.xtype              = CHOLMOD_PATTERN;
+        matrix.dtype              = CHOLMOD_DOUBLE;
+        matrix.packed             = 1;
+        return matrix;
+      }
+    };
+
+
+
+    Pattern
+    pattern_of_groups(const Lists &neighbors)
+    {
+      Pattern pattern;
+      for (const std::vector<unsigned int> &list : neighbors)
+        {
+          pattern.rows.insert(pattern.rows.end(), list.begin(), list.end());
+          pattern.end_column();
+        }
+      return pattern;
+    }
+
+
+
+    Pattern
+    pattern_of_unknowns(const unsigned int n,
+                        const Lists       &groups,
+                        const Lists       &neighbors)
+    {
+      std::vector<unsigned int> numbers(n);
+      for (unsigned int g = 0; g < groups.size(); ++g)
+        for (const unsigned int i : groups[g])
+          numbers[i] = g;
+      Pattern pattern;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          for (const unsigned int g : neighbors[numbers[i]])
+            for (const unsigned int j : groups[g])
+              if (j <= i)
+                pattern.rows.push_back(j);
+          pattern.end_column();
+        }
+      return pattern;
+    }
+  } // namespace
+
+
+
   SparseCholesky::Common::Common()
   {
     cholmod_l_start(this);
-    // Errors are reported by return values.
-    print      = 0;
-    supernodal = CHOLMOD_SUPERNODAL;
-    // METIS' own ordering would catch SIGTERM.
-    default_nesdis = 1;
+    print = 0; // Errors are reported by return values.
   }
 
 
 
-  SparseCholesky::SparseCholesky(const SparsityPattern &pattern)
-    : factor(nullptr, FactorDeleter{&common})
+  // METIS' own ordering would catch SIGTERM, CHOLMOD's nested dissection does
+  // not.
+  std::vector<SuiteSparse_long>
+  SparseCholesky::find_order(cholmod_sparse pattern)
   {
-    // The lower half by rows is, for CHOLMOD, the upper half by columns.
-    std::vector<SuiteSparse_long> row_begins(1, 0), columns;
-    for (unsigned int row = 0; row < pattern.n_rows(); ++row)
-      {
-        for (auto entry = pattern.begin(row); entry != pattern.end(row);
-             ++entry)
-          if (entry->column() <= row)
-            columns.push_back(entry->column());
-        std::sort(columns.begin() + row_begins.back(), columns.end());
-        row_begins.push_back(columns.size());
-      }
-    cholmod_sparse matrix = {};
-    matrix.nrow = matrix.ncol = pattern.n_rows();
-    matrix.nzmax              = columns.size();
-    matrix.p                  = row_begins.data();
-    matrix.i                  = columns.data();
-    matrix.stype              = 1;
-    matrix.itype              = CHOLMOD_LONG;
-    matrix.xtype              = CHOLMOD_PATTERN;
-    matrix.dtype              = CHOLMOD_DOUBLE;
-    matrix.sorted = matrix.packed = 1;
-    factor.reset(cholmod_l_analyze(&matrix, &common));
+    common.nmethods           = 2;
+    common.method[0].ordering = CHOLMOD_AMD;
+    common.method[1].ordering = CHOLMOD_NESDIS;
+    common.supernodal         = CHOLMOD_SIMPLICIAL;
+    factor.reset(cholmod_l_analyze(&pattern, &common));
     if (!factor)
       throw std::bad_alloc();
-    fronts = std::make_unique<MultifrontalFactor>(*factor);
+    const auto *const order =
+      static_cast<const SuiteSparse_long *>(factor->Perm);
+    return {order, order + factor->n};
+  }
+
+
+
+  // Unknowns of a group are eliminated one after the other: so the graph of
+  // groups is all that has to be ordered.
+  SparseCholesky::SparseCholesky(const unsigned int n, const Lists &coupled)
+    : factor(nullptr, FactorDeleter{&common})
+  {
+    const Lists groups    = find_groups(n, coupled);
+    const Lists neighbors = find_neighbors(n, groups, coupled);
+    Pattern     of_groups = pattern_of_groups(neighbors),
+            pattern       = pattern_of_unknowns(n, groups, neighbors);
+    Indices order;
+    for (const auto g : find_order(of_groups.view()))
+      order.insert(order.end(), groups[g].begin(), groups[g].end());
+
+    common.nmethods           = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.supernodal         = CHOLMOD_SUPERNODAL;
+    cholmod_sparse matrix     = pattern.view();
+    factor.reset(
+      cholmod_l_analyze_p(&matrix, order.data(), nullptr, 0, &common));
+    if (!factor)
+      throw std::bad_alloc();
+    fronts                 = std::make_unique<MultifrontalFactor>(*factor);
+    const double workspace = fronts->workspace();
     require_memory(sizeof(double) * static_cast<double>(factor->xsize) +
-                     fronts->workspace() + sizeof(std::size_t) * columns.size(),
+                     workspace,
                    "to factorise the equations of the equilibrium method");
-    positions = fronts->positions(pattern);
+    reserved.emplace(workspace);
     if (!cholmod_l_change_factor(
           CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
       throw std::bad_alloc();
     // (Memory that has not been touched does not count as used: another factor
     // would find room in it, too.)
+    clear();
+  }
+
+
+
+  void
+  SparseCholesky::clear()
+  {
     std::fill_n(static_cast<double *>(factor->x), factor->xsize, 0.);
   }
 
 
 
-  // deal.II stores the diagonal first, then the rest in the order of columns.
-  bool
-  SparseCholesky::factorize(const SparseMatrix<double> &matrix)
+  double &
+  SparseCholesky::entry(const unsigned int row, const unsigned int column)
   {
-    auto *const values = static_cast<double *>(factor->x);
-    std::fill_n(values, factor->xsize, 0.);
-    auto position = positions.begin();
-    for (unsigned int row = 0; row < matrix.m(); ++row)
-      for (auto entry = matrix.begin(row);
-           entry != matrix.end(row) && entry->column() <= row;
-           ++entry)
-        values[*position++] = entry->value();
+    return static_cast<double *>(factor->x)[fronts->position(row, column)];
+  }
+
+
+
+  bool
+  SparseCholesky::factorize()
+  {
     return fronts->factorize();
   }
 

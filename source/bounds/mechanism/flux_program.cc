@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <utility>
@@ -119,24 +118,32 @@ namespace ElastoPlastic
     {
       constexpr unsigned int n_repetitions = 3;
 
-      const unsigned int     n = basis.on_simplices.size();
-      DynamicSparsityPattern couplings(basis.size, n);
+      const unsigned int                     n = basis.on_simplices.size();
+      std::vector<std::vector<unsigned int>> simplices_of(basis.size);
       for (unsigned int t = 0; t < n; ++t)
         for (const auto &function : basis.on_simplices[t])
-          couplings.add(function.number, t);
-      SparsityPattern pattern, pattern_of_square;
-      pattern.copy_from(couplings);
-      SparseMatrix<double> transpose(pattern), square(pattern_of_square);
+          simplices_of[function.number].push_back(t);
+      SparsityPattern pattern;
+      pattern.copy_from(basis.size,
+                        n,
+                        simplices_of.begin(),
+                        simplices_of.end());
+      SparseMatrix<double> transpose(pattern);
       for (unsigned int t = 0; t < n; ++t)
         for (const auto &function : basis.on_simplices[t])
           transpose.set(function.number,
                         t,
                         volume(body.corners_of(t)) *
                           trace(rate_of(body, function, t)));
-      transpose.Tmmult(square, transpose);
 
-      SparseCholesky factor(pattern_of_square);
-      if (!factor.factorize(square))
+      SparseCholesky factor(n, simplices_of);
+      factor.clear();
+      for (unsigned int i = 0; i < basis.size; ++i)
+        for (const unsigned int t : simplices_of[i])
+          for (const unsigned int u : simplices_of[i])
+            if (u <= t)
+              factor.entry(t, u) += transpose(i, t) * transpose(i, u);
+      if (!factor.factorize())
         return; // what is left will be noticed
       Vector<double> flux(n), potential(n);
       for (unsigned int i = 0; i < n_repetitions; ++i)
