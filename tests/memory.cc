@@ -16,6 +16,20 @@ main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   require_memory(1e6, "for little");
+  {
+    const ReservedMemory reserved(1e18);
+    try
+      {
+        require_memory(1e6, "for little");
+        output() << "FAILED: beside a billion gigabytes" << std::endl;
+      }
+    catch (const MemoryError &)
+      {
+        output() << "Reserved" << std::endl;
+      }
+  }
+  require_memory(1e6, "for little");
+  return_free_memory();
   try
     {
       require_memory(1e18, "to factorise a matrix");

@@ -74,17 +74,17 @@ def limit_load_passes(runner):
 
 
 def limit_load_threads(runner):
-    """Both bounds of plane bodies and bodies of revolution side by side: the same numbers, and the same errors."""
-    def run(case, n_threads, *entries):
+    """Both bounds of bodies in the plane, of revolution and in space side by side: the same numbers, and the same errors."""
+    def run(case, n_threads, *entries, n_cycles=1):
         with tempfile.TemporaryDirectory() as folder:
-            process = start(runner, folder, 4, *entries, case=case, n_threads=n_threads)
+            process = start(runner, folder, n_cycles, *entries, case=case, n_threads=n_threads)
             message = process.communicate()[1]
             rows = [row | {"wall_seconds": 0} for row in read_table(pathlib.Path(folder) / "limit_load.csv")]
         return process.returncode, rows, message
 
-    for case in ("strip_punch", "circular_punch", "plate_with_hole", "footing_circular"):
-        alone, shared = run(case, 1), run(case, 2)
-        runner.verify(f"{case}: four meshes", alone[0] == shared[0] == 0 and len(alone[1]) == 4)
+    for case, n_cycles in {"strip_punch": 3, "plate_with_hole": 1, "footing_circular": 3, "square_punch_3d": 1}.items():
+        alone, shared = (run(case, n_threads, n_cycles=n_cycles) for n_threads in (1, 2))
+        runner.verify(f"{case}: {n_cycles} meshes", alone[0] == shared[0] == 0 and len(alone[1]) == n_cycles)
         runner.verify(f"{case}: the same in all digits", alone == shared)
     enclosed = ("Boundary conditions/Roller=left, right", "Boundary conditions/Free=", "Indenter/Half width=10")
     alone, shared = run("strip_punch", 1, *enclosed), run("strip_punch", 2, *enclosed)
