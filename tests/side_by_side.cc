@@ -11,8 +11,6 @@
 #include <string>
 
 #include "base/exceptions.h"
-#include "bounds/conic/exclusive_work.h"
-#include "bounds/conic/shared_threads.h"
 #include "bounds/conic/side_by_side.h"
 #include "verdict.h"
 

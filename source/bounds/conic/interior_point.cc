@@ -9,9 +9,9 @@
 #include "base/exceptions.h"
 #include "base/process.h"
 #include "bounds/conic/conic_evaluation.h"
-#include "bounds/conic/exclusive_work.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/kkt_system.h"
+#include "bounds/conic/side_by_side.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "bounds/conic/kkt_system.h"
-#include "bounds/conic/shared_threads.h"
+#include "bounds/conic/side_by_side.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic

@@ -4,8 +4,6 @@
 #include <future>
 
 #include "base/exceptions.h"
-#include "bounds/conic/exclusive_work.h"
-#include "bounds/conic/shared_threads.h"
 #include "bounds/conic/side_by_side.h"
 
 #include <omp.h>
