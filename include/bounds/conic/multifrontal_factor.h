@@ -124,8 +124,9 @@ namespace ElastoPlastic
 
     cholmod_factor    &factor;
     std::vector<Front> fronts;
-    std::vector<LowerTriangle>
-      updates; ///< of what is eliminated later, by fronts
+
+    /// By fronts, what they change in later ones.
+    std::vector<LowerTriangle> updates;
 
     /// By unknowns of the matrix, when they are eliminated; and by the order of
     /// elimination, in which front.

@@ -48,9 +48,13 @@ namespace ElastoPlastic
     find_groups(const unsigned int n, const Lists &coupled)
     {
       const auto numbers = numbers_of_groups(n, coupled);
-      Lists      groups(*std::max_element(numbers.begin(), numbers.end()) + 1);
+      Lists      groups;
       for (unsigned int i = 0; i < n; ++i)
-        groups[numbers[i]].push_back(i);
+        {
+          if (numbers[i] >= groups.size())
+            groups.resize(numbers[i] + 1);
+          groups[numbers[i]].push_back(i);
+        }
       groups.erase(std::remove_if(groups.begin(),
                                   groups.end(),
                                   [](const auto &group) {
