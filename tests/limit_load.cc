@@ -144,7 +144,7 @@ namespace
 
 
 
-  // Both programs at the same time, one of them with two threads.
+  // Both programs at the same time.
   void
   test_threads(const SplitBody<2> &body)
   {

@@ -94,14 +94,23 @@ namespace
                       });
     verify("the second once more", calls == "122");
     calls.clear();
-    call_side_by_side(
-      [&]() {
-        calls += "1";
-        if (calls == "1")
-          throw MemoryError("too much beside the second");
-      },
-      [&]() { calls += "2"; });
-    verify("the first once more", calls == "121");
+    try
+      {
+        call_side_by_side(
+          [&]() {
+            calls += "1";
+            throw MemoryError("of the first");
+          },
+          [&]() {
+            calls += "2";
+            throw MemoryError("of the second");
+          });
+      }
+    catch (const MemoryError &error)
+      {
+        verify("the error of the first",
+               calls == "12" && error.what() == std::string("of the first"));
+      }
     calls.clear();
     try
       {
@@ -111,7 +120,7 @@ namespace
                             throw MemoryError("too much in any case");
                           });
       }
-    catch (const MemoryError &error)
+    catch (const MemoryError &)
       {
         verify("too much in any case", calls == "122");
       }

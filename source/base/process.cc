@@ -45,6 +45,17 @@ namespace ElastoPlastic
 
 
 
+    /// By this process, in bytes; also what has been reserved.
+    double
+    memory_in_use()
+    {
+      dealii::Utilities::System::MemoryStats stats;
+      dealii::Utilities::System::get_memory_stats(stats);
+      return 1024. * stats.VmRSS + reserved_bytes;
+    }
+
+
+
     // A signal handler may do no more than set such a variable.
     volatile std::sig_atomic_t signal_received = 0;
   } // namespace
@@ -80,10 +91,13 @@ namespace ElastoPlastic
   {
     constexpr double gigabyte = 1e9;
 
-    dealii::Utilities::System::MemoryStats stats;
-    dealii::Utilities::System::get_memory_stats(stats);
-    const double used = 1024. * stats.VmRSS + reserved_bytes;
     const double all  = physical_memory();
+    double       used = memory_in_use();
+    if (bytes > all - used)
+      {
+        return_free_memory();
+        used = memory_in_use();
+      }
     if (bytes <= all - used)
       return;
     std::ostringstream message;

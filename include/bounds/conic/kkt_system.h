@@ -61,10 +61,8 @@ namespace ElastoPlastic
     subtract_product(KktVector &residual, const KktVector &solution) const;
 
   private:
-    /// Makes the diagonal of the sum larger by @p rounding, relative to each
-    /// entry, before it is factorised.
     bool
-    factorize_sum(const Scalings &scalings, const double rounding);
+    factorize_sum(const Scalings &scalings);
 
     void
     solve_sparse_and_dense(Vector<double> &y) const;

@@ -37,7 +37,7 @@ namespace ElastoPlastic
     static std::size_t
     n_entries(const unsigned int n)
     {
-      return n == 0 ? 0 : begin_of_tile(n, n_tiles(n));
+      return begin_of_tile(n, n_tiles(n));
     }
 
     /// Of tile @p t, the distance between entries of the same row.

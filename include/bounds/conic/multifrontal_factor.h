@@ -4,7 +4,6 @@
 #ifndef bounds_conic_multifrontal_factor_h
 #define bounds_conic_multifrontal_factor_h
 
-
 #include <cstddef>
 #include <vector>
 

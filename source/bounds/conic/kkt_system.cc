@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "bounds/conic/kkt_system.h"
-#include "bounds/conic/side_by_side.h"
 #include "bounds/conic/tolerances.h"
 
 namespace ElastoPlastic
@@ -53,13 +52,7 @@ namespace ElastoPlastic
   bool
   KktSystem::factorize(const Scalings &scalings)
   {
-    const SharedThreads::Share share;
-    const auto                &roundings = Tolerance::roundings_of_sum;
-    if (std::none_of(roundings.begin(),
-                     roundings.end(),
-                     [&](const double rounding) {
-                       return factorize_sum(scalings, rounding);
-                     }))
+    if (!factorize_sum(scalings))
       return false;
     if (program.has_dense_row)
       {
@@ -75,18 +68,23 @@ namespace ElastoPlastic
 
 
   bool
-  KktSystem::factorize_sum(const Scalings &scalings, const double rounding)
+  KktSystem::factorize_sum(const Scalings &scalings)
   {
-    sparse_factor->clear();
-    dense_row    = 0.;
-    dense_square = 0.;
-    for (BlockBatch &batch : batches)
-      if (!batch.eliminate(scalings))
-        return false;
-    if (rounding > 0)
-      for (unsigned int i = 0; i < n_sparse_rows; ++i)
-        sparse_factor->entry(i, i) *= 1. + rounding;
-    return sparse_factor->factorize();
+    for (const double rounding : Tolerance::roundings_of_sum)
+      {
+        sparse_factor->clear();
+        dense_row    = 0.;
+        dense_square = 0.;
+        for (BlockBatch &batch : batches)
+          if (!batch.eliminate(scalings))
+            return false;
+        if (rounding > 0)
+          for (unsigned int i = 0; i < n_sparse_rows; ++i)
+            sparse_factor->entry(i, i) *= 1. + rounding;
+        if (sparse_factor->factorize())
+          return true;
+      }
+    return false;
   }
 
 

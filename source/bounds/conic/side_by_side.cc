@@ -10,27 +10,6 @@
 
 namespace ElastoPlastic
 {
-  namespace
-  {
-    /// @return whether there was enough memory.
-    bool
-    call_beside(const std::function<void()> &function, const int n_threads)
-    {
-      const SharedThreads sharing(n_threads);
-      try
-        {
-          function();
-        }
-      catch (const MemoryError &)
-        {
-          return false;
-        }
-      return true;
-    }
-  } // namespace
-
-
-
   void
   call_side_by_side(const std::function<void()> &first,
                     const std::function<void()> &second)
@@ -42,20 +21,24 @@ namespace ElastoPlastic
         second();
         return;
       }
-    std::future<bool> end_of_second;
-    bool              first_has_ended = false;
+    std::future<void> end_of_second;
     {
-      const ExclusiveWork work; // the first one begins
-      end_of_second   = std::async(std::launch::async, [&]() {
+      const ExclusiveWork work;
+      end_of_second = std::async(std::launch::async, [&]() {
         const ExclusiveWork work_of_second;
-        return call_beside(second, n_threads);
+        const SharedThreads sharing(n_threads);
+        second();
       });
-      first_has_ended = call_beside(first, n_threads);
-    }
-    const bool second_has_ended = end_of_second.get();
-    if (!first_has_ended)
+      const SharedThreads sharing(n_threads);
       first();
-    if (!second_has_ended)
-      second();
+    }
+    try
+      {
+        end_of_second.get();
+      }
+    catch (const MemoryError &)
+      {
+        second();
+      }
   }
 } // namespace ElastoPlastic

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "bounds/conic/side_by_side.h"
 #include "bounds/conic/sparse_cholesky.h"
 
 namespace ElastoPlastic
@@ -205,6 +206,7 @@ namespace ElastoPlastic
     Pattern     of_groups = pattern_of_groups(neighbors),
             pattern       = pattern_of_unknowns(n, groups, neighbors);
     Indices order;
+    order.reserve(n + 1); // CHOLMOD takes no null pointer
     for (const auto g : find_order(of_groups.view()))
       order.insert(order.end(), groups[g].begin(), groups[g].end());
 
@@ -251,6 +253,7 @@ namespace ElastoPlastic
   bool
   SparseCholesky::factorize()
   {
+    const SharedThreads::Share share;
     return fronts->factorize();
   }
 
