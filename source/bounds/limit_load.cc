@@ -98,7 +98,6 @@ namespace ElastoPlastic
               bounds.gaps[view.face.neighbors[i]] -= power;
           }
     }
-
   } // namespace
 
 

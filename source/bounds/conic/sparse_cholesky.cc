@@ -17,8 +17,9 @@ namespace ElastoPlastic
 
 
 
-    /// The lists of unknowns that belong to the same of the @p coupled lists,
-    /// and therefore have entries in the same columns: the number of each.
+    /// Unknowns that belong to the same of the @p coupled lists have entries in
+    /// the same columns, and are a group: the number of that of each unknown,
+    /// not all of which exist.
     std::vector<unsigned int>
     numbers_of_groups(const unsigned int n, const Lists &coupled)
     {
