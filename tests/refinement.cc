@@ -25,7 +25,7 @@ namespace
       indicators[i] = 1. + i;
     RefinementParameters parameters;
     parameters.refinement_fraction = fraction;
-    flag_cells(parameters, indicators, mesh);
+    flag_cells(parameters, indicators, 1e-3, mesh);
     return n_cells_after_refinement(mesh);
   }
 } // namespace

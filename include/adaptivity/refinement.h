@@ -97,11 +97,13 @@ namespace ElastoPlastic
 
 
   /// Flags the cells for the next mesh. @p error_indicators holds one value per
-  /// active cell of this rank.
+  /// active cell of this rank; what differs by less than their relative
+  /// @p accuracy is treated alike (adaptivity/ties.h). Collective.
   template <int dim>
   void
   flag_cells(const RefinementParameters                &parameters,
              const Vector<float>                       &error_indicators,
+             const double                               accuracy,
              parallel::distributed::Triangulation<dim> &triangulation);
 
 
@@ -115,6 +117,7 @@ namespace ElastoPlastic
   flag_cells_within(const double         unknowns_per_cell,
                     RefinementParameters parameters,
                     const Vector<float> &error_indicators,
+                    const double         accuracy,
                     parallel::distributed::Triangulation<dim> &triangulation);
 
 

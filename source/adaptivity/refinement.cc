@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "adaptivity/refinement.h"
+#include "adaptivity/ties.h"
 #include "base/compatibility.h"
 
 namespace ElastoPlastic
@@ -140,6 +141,7 @@ namespace ElastoPlastic
     void
     set_flags(const RefinementParameters                &parameters,
               const Vector<float>                       &error_indicators,
+              const double                               accuracy,
               parallel::distributed::Triangulation<dim> &triangulation)
     {
       clear_flags(triangulation);
@@ -156,6 +158,7 @@ namespace ElastoPlastic
               refined > parameters.refinement_fraction ?
                 std::min(parameters.coarsening_fraction, 1. - refined) :
                 parameters.coarsening_fraction);
+          flag_ties(error_indicators, accuracy, triangulation);
         }
     }
   } // namespace
@@ -226,9 +229,10 @@ namespace ElastoPlastic
   void
   flag_cells(const RefinementParameters                &parameters,
              const Vector<float>                       &error_indicators,
+             const double                               accuracy,
              parallel::distributed::Triangulation<dim> &triangulation)
   {
-    set_flags(parameters, error_indicators, triangulation);
+    set_flags(parameters, error_indicators, accuracy, triangulation);
     triangulation.prepare_coarsening_and_refinement();
   }
 
@@ -239,13 +243,14 @@ namespace ElastoPlastic
   flag_cells_within(const double         unknowns_per_cell,
                     RefinementParameters parameters,
                     const Vector<float> &error_indicators,
+                    const double         accuracy,
                     parallel::distributed::Triangulation<dim> &triangulation)
   {
     const double one_cell = 1. / triangulation.n_global_active_cells();
     for (; parameters.refinement_fraction >= one_cell;
          parameters.refinement_fraction *= 0.5)
       {
-        set_flags(parameters, error_indicators, triangulation);
+        set_flags(parameters, error_indicators, accuracy, triangulation);
         smooth_flags(triangulation);
         if (parameters.allows(unknowns_per_cell *
                               n_cells_after_refinement(triangulation)))
@@ -300,11 +305,13 @@ namespace ElastoPlastic
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
+             const double,
              parallel::distributed::Triangulation<2> &);
   template bool
   flag_cells_within(const double,
                     RefinementParameters,
                     const Vector<float> &,
+                    const double,
                     parallel::distributed::Triangulation<2> &);
   template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<2> &);
@@ -322,11 +329,13 @@ namespace ElastoPlastic
   template void
   flag_cells(const RefinementParameters &,
              const Vector<float> &,
+             const double,
              parallel::distributed::Triangulation<3> &);
   template bool
   flag_cells_within(const double,
                     RefinementParameters,
                     const Vector<float> &,
+                    const double,
                     parallel::distributed::Triangulation<3> &);
   template std::uint64_t
   n_cells_after_refinement(const parallel::distributed::Triangulation<3> &);

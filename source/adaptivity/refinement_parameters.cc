@@ -63,7 +63,8 @@ namespace ElastoPlastic
       "Refinement fraction",
       refinement_fraction,
       "adaptive, Kelly: the fraction of cells that are refined, between "
-      "0 and 1.",
+      "0 and 1; with them, those whose error is the same but for rounding, "
+      "such as mirror images.",
       Patterns::Double(0, 1));
     prm.add_parameter(
       "Coarsening fraction",

@@ -318,7 +318,10 @@ namespace ElastoPlastic
         pass.refinement_fraction *= n_cells_before / (n_passes * n_cells());
         if (i < n_passes)
           pass.coarsening_fraction = 0.;
-        flag_cells(pass, gaps.indicators(triangulation), triangulation);
+        flag_cells(pass,
+                   gaps.indicators(triangulation),
+                   gaps.accuracy,
+                   triangulation);
         triangulation.execute_coarsening_and_refinement();
       }
     check_material_ids(triangulation, model.materials.size());

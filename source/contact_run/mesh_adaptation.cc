@@ -7,6 +7,15 @@
 
 namespace ElastoPlastic
 {
+  namespace
+  {
+    /// Of the errors of cells, which rounding and the tolerance of Newton's
+    /// method change by less, relatively.
+    constexpr double accuracy_of_indicators = 1e-5;
+  } // namespace
+
+
+
   template <int dim>
   MeshAdaptation<dim>::MeshAdaptation(const RefinementParameters &parameters,
                                       DiscreteBody<dim>          &body,
@@ -49,7 +58,10 @@ namespace ElastoPlastic
     clear_flags(body.cells_to_flag());
     const bool is_next_cycle = cycle + 1 < parameters.n_cycles;
     if (is_next_cycle)
-      flag_cells(parameters, body.error_indicators(), body.cells_to_flag());
+      flag_cells(parameters,
+                 body.error_indicators(),
+                 accuracy_of_indicators,
+                 body.cells_to_flag());
     const bool follows_contact =
       !body.model.strain_model.is_finite() && mark_contact_zone(step);
     if (follows_contact)
@@ -81,6 +93,7 @@ namespace ElastoPlastic
                           body.triangulation().n_global_active_cells(),
                         parameters,
                         body.error_indicators(),
+                        accuracy_of_indicators,
                         body.cells_to_flag());
     if (!by_errors)
       clear_flags(body.cells_to_flag());

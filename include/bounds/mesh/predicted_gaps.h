@@ -29,6 +29,10 @@ namespace ElastoPlastic
   class PredictedGaps
   {
   public:
+    /// Of the indicators: the gaps of cells that mirror each other differ by
+    /// less, relatively, where the tolerance of the bounds ends the iteration.
+    static constexpr double accuracy = 1e-3;
+
     /// For what the first rank knows of the simplices of @p mesh,
     /// @p of_simplices; negative numbers count as zero. Collective.
     PredictedGaps(const SplitMesh<dim>      &mesh,
