@@ -82,10 +82,10 @@ namespace ElastoPlastic
       }
     };
 
-    /// All batches of a @p program, from which they take A and G: so the
-    /// memory need not hold these twice.
+    /// All batches of a program's @p blocks, which end one by one: so the
+    /// memory need not hold their matrices twice.
     static std::vector<BlockBatch>
-    make(ConicProgram &program, const ConicLayout &layout);
+    make(std::vector<ConicBlock> blocks, const ConicLayout &layout);
 
     /// Asks for the address of the entry of each pair of equations, the larger
     /// one first, in the matrix that eliminate() adds to.
@@ -127,6 +127,12 @@ namespace ElastoPlastic
                const Vector<double> &y,
                Workspace            &workspace) const;
 
+    /// Adds P x to @p slope.
+    void
+    add_quadratic_slope(Vector<double>       &slope,
+                        const Vector<double> &x,
+                        Workspace            &workspace) const;
+
     /// residual -= (the matrix of KktSystem without W) solution
     void
     subtract_product(KktVector       &residual,
@@ -136,7 +142,7 @@ namespace ElastoPlastic
   private:
     using Lanes = AlignedVector<Simd<double>>;
 
-    BlockBatch(const ConicProgram                    &program,
+    BlockBatch(const std::vector<ConicBlock>         &all_blocks,
                const ConicLayout                     &layout,
                const Shape                           &shape,
                const std::vector<unsigned int>       &blocks,

@@ -33,6 +33,22 @@ namespace ElastoPlastic
   expected_scalings(const ConicLayout            &layout,
                     const std::vector<ConeScale> &scales);
 
+  /// Whether an @p iterate of an interior point method proves that a
+  /// ConicProgram cannot be solved, up to rounding errors. Multipliers with
+  ///   A^T y + G^T z = 0, b^T y + h^T z < 0, z in the cones
+  /// contradict the conditions A x = b and G x + s = h. A direction with
+  ///   P x = 0, A x = 0, G x + s = 0, c^T x < 0, s in the cones
+  /// lowers the cost for ever. @p residual is what is missing to the first
+  /// three equations of ConicSolution, in the order x, z, y of their
+  /// multipliers.
+  /// @throws NoSolutionError @throws UnboundedError
+  void
+  check_solvability(const ConicProgram  &program,
+                    const ConicLayout   &layout,
+                    const KktSystem     &system,
+                    const ConicSolution &iterate,
+                    const KktVector     &residual);
+
   /// Removes what rounding errors, and an iteration that they have ended, have
   /// left of the equations of a @p solution: A x = b and G x + s = h with s in
   /// the cones, and the first equation. Linear systems with the

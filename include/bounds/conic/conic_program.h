@@ -172,14 +172,6 @@ namespace ElastoPlastic
 
 
 
-  /// P x
-  Vector<double>
-  quadratic_slope(const ConicProgram   &program,
-                  const ConicLayout    &layout,
-                  const Vector<double> &x);
-
-
-
   /// The solution of a ConicProgram: its unknowns x, what is left to the
   /// boundary of the cones, s, and the Lagrange multipliers y and z. They
   /// satisfy

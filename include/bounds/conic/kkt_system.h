@@ -30,8 +30,8 @@ namespace ElastoPlastic
   public:
     using Scalings = BlockBatch::Scalings;
 
-    /// The program must live as long as this object, which takes A and G away
-    /// from it.
+    /// The program must live as long as this object, which takes its blocks
+    /// away.
     KktSystem(ConicProgram &program, const ConicLayout &layout);
 
     /// The blocks know where their entries are in the matrix of this one.
@@ -55,6 +55,10 @@ namespace ElastoPlastic
     solve(KktVector   &solution,
           KktVector    residual,
           const double relative_residual = Tolerance::residual) const;
+
+    /// P x
+    Vector<double>
+    quadratic_slope(const Vector<double> &x) const;
 
     /// residual -= (the matrix above without W) solution
     void

@@ -10,71 +10,115 @@
 
 namespace ElastoPlastic
 {
-  /// The lower half of a large symmetric matrix, by tiles: of some columns, one
-  /// after the other, all rows from the first of these columns on. That takes
-  /// little more than half of the matrix.
-  class LowerTriangle
+  /// Where the entries of a matrix are, of the first rows of which only the
+  /// lower half counts. They are stored by tiles: of some columns, one after
+  /// the other, all rows from the first of these columns on. That takes little
+  /// more than what counts.
+  struct LowerTrapezoid
   {
-  public:
     static constexpr unsigned int n_in_tile = 256;
 
-    LowerTriangle() = default;
+    unsigned int n_columns = 0;
+    unsigned int n_rows    = 0; ///< not less than columns
 
-    /// For @p n columns, with any entries.
-    /// @throws std::bad_alloc
-    explicit LowerTriangle(const unsigned int n)
-      : n(n)
-      , entries(new double[n_entries(n)])
-    {}
-
+    /// Of @p n columns.
     static unsigned int
     n_tiles(const unsigned int n)
     {
       return (n + n_in_tile - 1) / n_in_tile;
     }
 
-    /// That are stored.
-    static std::size_t
-    n_entries(const unsigned int n)
+    unsigned int
+    n_tiles() const
     {
-      return begin_of_tile(n, n_tiles(n));
+      return n_tiles(n_columns);
+    }
+
+    /// That are stored.
+    std::size_t
+    n_entries() const
+    {
+      return begin(n_tiles());
+    }
+
+    /// Of tile @p t, the columns from its first one to before the last.
+    unsigned int
+    end_column(const unsigned int t) const
+    {
+      return std::min((t + 1) * n_in_tile, n_columns);
     }
 
     /// Of tile @p t, the distance between entries of the same row.
     unsigned int
     stride(const unsigned int t) const
     {
-      return n - t * n_in_tile;
+      return n_rows - t * n_in_tile;
+    }
+
+    /// Of tile @p t. The tiles before have n_rows, n_rows - n_in_tile, ...
+    /// rows; all are full but the last.
+    std::size_t
+    begin(const unsigned int t) const
+    {
+      const std::size_t n_full = std::min(t, n_columns / n_in_tile);
+      return n_full * n_in_tile * n_rows -
+             n_full * (n_full - 1) / 2 * n_in_tile * n_in_tile +
+             (t > n_full ?
+                (n_columns - n_full * n_in_tile) * std::size_t(stride(n_full)) :
+                0);
+    }
+
+    /// The entry on the diagonal, which those below follow.
+    std::size_t
+    diagonal(const unsigned int column) const
+    {
+      const unsigned int t = column / n_in_tile;
+      return begin(t) + std::size_t(column % n_in_tile) * (stride(t) + 1);
+    }
+  };
+
+
+
+  /// The lower half of a large symmetric matrix.
+  class LowerTriangle
+  {
+  public:
+    LowerTriangle() = default;
+
+    /// For @p n columns, with any entries.
+    /// @throws std::bad_alloc
+    explicit LowerTriangle(const unsigned int n)
+      : shape(shape_of(n))
+      , entries(new double[shape.n_entries()])
+    {}
+
+    static LowerTrapezoid
+    shape_of(const unsigned int n)
+    {
+      return {n, n};
+    }
+
+    unsigned int
+    stride(const unsigned int tile) const
+    {
+      return shape.stride(tile);
     }
 
     double *
     tile(const unsigned int t) const
     {
-      return entries.get() + begin_of_tile(n, t);
+      return entries.get() + shape.begin(t);
     }
 
     /// The entry on the diagonal, which those below follow.
     double *
     diagonal(const unsigned int column) const
     {
-      const unsigned int t = column / n_in_tile, c = column % n_in_tile;
-      return tile(t) + std::size_t(c) * (stride(t) + 1);
+      return entries.get() + shape.diagonal(column);
     }
 
   private:
-    /// The tiles before have n, n - n_in_tile, ... rows, and as many columns as
-    /// rows if there are no more.
-    static std::size_t
-    begin_of_tile(const unsigned int n, const unsigned int t)
-    {
-      const std::size_t n_full = std::min(t, n / n_in_tile),
-                        rest   = n - n_full * n_in_tile;
-      return n_full * n_in_tile * n -
-             n_full * (n_full - 1) / 2 * n_in_tile * n_in_tile +
-             (t > n_full ? rest * rest : 0);
-    }
-
-    unsigned int              n = 0;
+    LowerTrapezoid            shape;
     std::unique_ptr<double[]> entries;
   };
 } // namespace ElastoPlastic

@@ -5,6 +5,7 @@
 #define bounds_conic_multifrontal_factor_h
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "bounds/conic/lower_triangle.h"
@@ -34,21 +35,28 @@ namespace ElastoPlastic
     };
 
     /// @p factor must be supernodal, with indices of 64 bits (those of 32 end
-    /// at 2^31 entries), still without entries, and live as long as this
-    /// object.
-    explicit MultifrontalFactor(cholmod_factor &factor);
+    /// at 2^31 entries), without entries, and live as long as this object.
+    explicit MultifrontalFactor(const cholmod_factor &factor);
 
-    /// The most bytes that all threads together can need beside the factor.
+    /// Bytes of all entries.
+    double
+    memory() const;
+
+    /// The most bytes that all threads together can need beside them.
     double
     workspace() const;
 
-    /// Where the entry of the unknowns @p i and @p j is in the array of the
-    /// factor; the matrix must have one there.
-    std::size_t
-    position(const unsigned int i, const unsigned int j) const;
+    /// Makes all entries zero. @throws std::bad_alloc
+    void
+    clear();
 
-    /// Replaces the entries of the matrix in the array of the factor by its
-    /// own. @return false if the matrix is not positive definite.
+    /// The entry of the unknowns @p i and @p j, where the matrix must have one;
+    /// from the first clear() on always at the same address.
+    double &
+    entry(const unsigned int i, const unsigned int j);
+
+    /// Replaces the entries of the matrix by those of its factor.
+    /// @return false if the matrix is not positive definite.
     bool
     factorize();
 
@@ -63,15 +71,14 @@ namespace ElastoPlastic
     operator=(const MultifrontalFactor &) = delete;
 
   private:
-    /// The columns of the factor that are eliminated together.
-    struct Front
+    /// The columns of the factor that are eliminated together: their rows are
+    /// the first ones.
+    struct Front : LowerTrapezoid
     {
-      unsigned int n_columns;
-      unsigned int n_rows; ///< with the columns'
-      std::size_t  begin;  ///< of its columns in the array of the factor
-      const SuiteSparse_long *rows; ///< in the order of elimination
-      unsigned int first;           ///< of the fronts below it; they precede it
-      double       work = 0;        ///< with that of the fronts below it
+      std::size_t             first_entry; ///< in the array of all
+      const SuiteSparse_long *rows;        ///< in the order of elimination
+      unsigned int first;    ///< of the fronts below it; they precede it
+      double       work = 0; ///< with that of the fronts below it
       /// The fronts whose updates are for this one.
       std::vector<unsigned int> children;
 
@@ -115,14 +122,23 @@ namespace ElastoPlastic
     bool
     eliminate(const unsigned int f);
 
-    const double *
+    /// Whether there is only one thread. It takes the fronts one after the
+    /// other: then, the fewest updates wait for others.
+    static bool
+    is_alone();
+
+    bool
+    eliminate_by_parts();
+
+    double *
     columns_of(const Front &front) const
     {
-      return static_cast<const double *>(factor.x) + front.begin;
+      return entries.get() + front.first_entry;
     }
 
-    cholmod_factor    &factor;
-    std::vector<Front> fronts;
+    std::vector<Front>        fronts;
+    std::size_t               n_entries = 0;
+    std::unique_ptr<double[]> entries; ///< of the fronts' columns
 
     /// By fronts, what they change in later ones.
     std::vector<LowerTriangle> updates;

@@ -42,12 +42,18 @@ namespace ElastoPlastic
 
     /// Makes all entries of the matrix zero.
     void
-    clear();
+    clear()
+    {
+      fronts->clear();
+    }
 
     /// Of unknowns that are coupled, one for both orders; always at the same
     /// address.
     double &
-    entry(const unsigned int row, const unsigned int column);
+    entry(const unsigned int row, const unsigned int column)
+    {
+      return fronts->entry(row, column);
+    }
 
     /// @return false if the matrix is not positive definite.
     bool

@@ -70,7 +70,7 @@ namespace ElastoPlastic
 
   // Blocks stay as near to each other as they are in the program.
   std::vector<BlockBatch>
-  BlockBatch::make(ConicProgram &program, const ConicLayout &layout)
+  BlockBatch::make(std::vector<ConicBlock> blocks, const ConicLayout &layout)
   {
     struct Group
     {
@@ -83,18 +83,15 @@ namespace ElastoPlastic
     const auto              flush = [&](Group &group) {
       if (!group.blocks.empty())
         batches.push_back(BlockBatch(
-          program, layout, group.shape, group.blocks, group.null_space));
+          blocks, layout, group.shape, group.blocks, group.null_space));
       for (const unsigned int b : group.blocks)
-        {
-          program.blocks[b].cone_matrix.reinit(0, 0);
-          program.blocks[b].coupling.reinit(0, 0);
-        }
+        blocks[b] = ConicBlock(0);
       group.blocks.clear();
       group.null_space.clear();
     };
-    for (unsigned int b = 0; b < program.blocks.size(); ++b)
+    for (unsigned int b = 0; b < blocks.size(); ++b)
       {
-        const ConicBlock  &block = program.blocks[b];
+        const ConicBlock  &block = blocks[b];
         FullMatrix<double> null_space;
         if (block.quadratic_cost.empty())
           null_space = kernel(block.cone_matrix);
@@ -115,14 +112,14 @@ namespace ElastoPlastic
 
 
 
-  BlockBatch::BlockBatch(const ConicProgram                    &program,
+  BlockBatch::BlockBatch(const std::vector<ConicBlock>         &all_blocks,
                          const ConicLayout                     &layout,
                          const Shape                           &shape,
                          const std::vector<unsigned int>       &blocks,
                          const std::vector<FullMatrix<double>> &null_spaces)
     : shape(shape)
     , n_blocks(blocks.size())
-    , n_rows(program.blocks[blocks[0]].cone_offset.size())
+    , n_rows(all_blocks[blocks[0]].cone_offset.size())
     , equations(shape.n_equations)
   {
     const unsigned int n         = shape.n_unknowns;
@@ -141,7 +138,7 @@ namespace ElastoPlastic
     for (unsigned int lane = 0; lane < max_blocks; ++lane)
       {
         const unsigned int i     = lane < n_blocks ? lane : 0;
-        const ConicBlock  &block = program.blocks[blocks[i]];
+        const ConicBlock  &block = all_blocks[blocks[i]];
         unknowns[lane]           = layout.unknowns[blocks[i]];
         rows[lane]               = layout.rows[blocks[i]];
         cones[lane]              = layout.first_cones[blocks[i]];

@@ -212,6 +212,22 @@ namespace ElastoPlastic
 
 
   void
+  BlockBatch::add_quadratic_slope(Vector<double>       &slope,
+                                  const Vector<double> &x,
+                                  Workspace            &w) const
+  {
+    if (!shape.has_quadratic_cost)
+      return;
+    const unsigned int n = shape.n_unknowns;
+    load(w.x, x, unknowns, n);
+    clear(w.of_x, n);
+    add_product(w.of_x.begin(), quadratic_cost.begin(), n, n, w.x.begin());
+    add(slope, w.of_x, unknowns, 1.);
+  }
+
+
+
+  void
   BlockBatch::subtract_product(KktVector       &residual,
                                const KktVector &solution,
                                Workspace       &w) const

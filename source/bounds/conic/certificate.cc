@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "bounds/conic/conic_evaluation.h"
 #include "bounds/conic/interior_point.h"
 #include "bounds/conic/tolerances.h"
 
@@ -11,10 +12,11 @@ namespace ElastoPlastic
   void
   check_solvability(const ConicProgram  &program,
                     const ConicLayout   &layout,
+                    const KktSystem     &system,
                     const ConicSolution &iterate,
                     const KktVector     &residual)
   {
-    const Vector<double> slope = quadratic_slope(program, layout, iterate.x);
+    const Vector<double> slope = system.quadratic_slope(iterate.x);
     Vector<double>       multipliers_product = residual.x; // -(A^T y + G^T z)
     multipliers_product += slope;
     multipliers_product += layout.linear_cost;

@@ -164,9 +164,9 @@ namespace ElastoPlastic
     residual.x *= -1.;
     residual.z = layout.cone_offset;
     residual.z -= solution.s;
-    residual.y                 = program.right_hand_side;
-    residual.load_factor       = program.live_load.size() > 0 ? 1. : 0.;
-    const Vector<double> slope = quadratic_slope(program, layout, solution.x);
+    residual.y                       = program.right_hand_side;
+    residual.load_factor             = program.live_load.size() > 0 ? 1. : 0.;
+    const Vector<double> slope       = system.quadratic_slope(solution.x);
     const double         dual_size   = std::max({residual.load_factor,
                                                  slope.linfty_norm(),
                                                  layout.linear_cost.linfty_norm()});

@@ -123,19 +123,4 @@ namespace ElastoPlastic
                   cone_offset.begin() + rows[b]);
       }
   }
-
-
-
-  Vector<double>
-  quadratic_slope(const ConicProgram   &program,
-                  const ConicLayout    &layout,
-                  const Vector<double> &x)
-  {
-    Vector<double> slope(x.size());
-    for (unsigned int b = 0; b < program.blocks.size(); ++b)
-      LocalAlgebra::add_product(slope.begin() + layout.unknowns[b],
-                                program.blocks[b].quadratic_cost,
-                                x.begin() + layout.unknowns[b]);
-    return slope;
-  }
 } // namespace ElastoPlastic

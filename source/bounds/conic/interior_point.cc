@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/exceptions.h"
@@ -74,22 +75,24 @@ namespace ElastoPlastic
         begin();
         while (!converged() && current.n_iterations < max_iterations &&
                current.n_iterations <=
-                 best.n_iterations + max_idle_iterations &&
+                 n_best_iterations + max_idle_iterations &&
                step())
           {
             if (termination_requested_here())
               throw TerminationError("Ended on request (SIGTERM).");
             ++current.n_iterations;
             look_at_iterate();
-            check_solvability(program, layout, current, residual);
+            check_solvability(program, layout, system, current, residual);
           }
-        current            = best;
+        if (best)
+          current = *std::exchange(best, std::nullopt);
         current.is_optimal = converged();
         if (interior.x.size() == 0 ||
             current.relative_gap > std::max(tolerance, Tolerance::largest_gap))
           throw ConvergenceError(
             "The interior point method has not converged.");
         const ConicSolution last = current;
+        direction                = StepDirection();
         if (!make_admissible(program, layout, system, interior, current))
           {
             center(interior);
@@ -97,7 +100,7 @@ namespace ElastoPlastic
             current  = last;
             make_admissible(program, layout, system, interior, current);
           }
-        current.relative_gap = best.relative_gap;
+        current.relative_gap = last.relative_gap;
         current.multipliers  = multipliers_of_blocks(layout, current.z);
         return current;
       }
@@ -161,8 +164,9 @@ namespace ElastoPlastic
         if (current.n_iterations == 0 ||
             distance_from_solution() < best_distance)
           {
-            best          = current;
-            best_distance = distance_from_solution();
+            best.reset();
+            best_distance     = distance_from_solution();
+            n_best_iterations = current.n_iterations;
           }
         if (interior.x.size() == 0 &&
             current.primal_error <= Tolerance::equations)
@@ -204,6 +208,7 @@ namespace ElastoPlastic
       bool
       step()
       {
+        direction = StepDirection(); // The next factorisation needs its memory.
         if (!scale())
           return false;
 
@@ -226,7 +231,10 @@ namespace ElastoPlastic
         subtract_centre(scaled_s, centering * (current.s * current.z));
         complementarity += scaled_s;
         find_direction(complementarity, 1. - centering, Tolerance::residual);
-        advance(correct_centrality(complementarity, centering));
+        const double length = correct_centrality(complementarity, centering);
+        if (!best)
+          best = current;
+        advance(length);
         return true;
       }
 
@@ -348,7 +356,7 @@ namespace ElastoPlastic
         scaled_s -= scaled_z;
       }
 
-      ConicProgram       program; ///< without A and G, which the system has
+      ConicProgram       program; ///< without blocks, which the system has
       const ConicLayout  layout;
       const unsigned int n_cones;
       const std::vector<ConeScale> scales; ///< of the cones at the beginning
@@ -357,13 +365,15 @@ namespace ElastoPlastic
       KktSystem                    system;
       KktSystem::Scalings          scalings;
 
-      ConicSolution  current;
-      ConicSolution  best;     ///< of all iterates
-      ConicSolution  interior; ///< far inside the cones, satisfies A x = b
-      double         best_distance = 0;
-      KktVector      residual;
-      Vector<double> scaled; ///< lambda = W z = W^-1 s
-      StepDirection  direction;
+      ConicSolution current;
+      ConicSolution interior; ///< far inside the cones, satisfies A x = b
+      /// Of all iterates, if it is not the current one.
+      std::optional<ConicSolution> best;
+      double                       best_distance     = 0;
+      unsigned int                 n_best_iterations = 0;
+      KktVector                    residual;
+      Vector<double>               scaled; ///< lambda = W z = W^-1 s
+      StepDirection                direction;
     };
   } // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "bounds/conic/kkt_system.h"
 #include "bounds/conic/tolerances.h"
@@ -29,7 +30,6 @@ namespace ElastoPlastic
     : program(program)
     , n_sparse_rows(program.right_hand_side.size() -
                     (program.has_dense_row ? 1 : 0))
-    , batches(BlockBatch::make(program, layout))
     , dense_row(n_sparse_rows)
   {
     std::vector<std::vector<unsigned int>> coupled;
@@ -38,6 +38,7 @@ namespace ElastoPlastic
                    block.rows.end(),
                    std::back_inserter(coupled.emplace_back()),
                    [&](const unsigned int row) { return row < n_sparse_rows; });
+    batches       = BlockBatch::make(std::move(program.blocks), layout);
     sparse_factor = std::make_unique<SparseCholesky>(n_sparse_rows, coupled);
     for (BlockBatch &batch : batches)
       batch.set_targets([&](const unsigned int row, const unsigned int column) {
@@ -165,6 +166,17 @@ namespace ElastoPlastic
         residual.y.add(lambda, program.live_load);
         residual.load_factor += program.live_load * y;
       }
+  }
+
+
+
+  Vector<double>
+  KktSystem::quadratic_slope(const Vector<double> &x) const
+  {
+    Vector<double> slope(x.size());
+    for (const BlockBatch &batch : batches)
+      batch.add_quadratic_slope(slope, x, workspace);
+    return slope;
   }
 
 

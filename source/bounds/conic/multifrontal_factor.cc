@@ -15,7 +15,7 @@ namespace ElastoPlastic
     /// So many columns are eliminated at a time, and so many rows or columns of
     /// a front are left to a thread.
     constexpr unsigned int n_together = 64;
-    constexpr unsigned int n_in_tile  = LowerTriangle::n_in_tile;
+    constexpr unsigned int n_in_tile  = LowerTrapezoid::n_in_tile;
 
 
 
@@ -107,14 +107,14 @@ namespace ElastoPlastic
   void
   MultifrontalFactor::assemble_columns(const Front &front)
   {
-    double *const columns = static_cast<double *>(factor.x) + front.begin;
+    double *const columns = columns_of(front);
     for (const unsigned int c : front.children)
       add_columns(updates[c],
                   rows_in_common(fronts[c], front),
                   0,
                   n_columns_in_common(fronts[c], front),
-                  [&](const std::size_t column) {
-                    return columns + column * (front.n_rows + 1);
+                  [&](const unsigned int column) {
+                    return columns + front.diagonal(column);
                   });
   }
 
@@ -142,33 +142,34 @@ namespace ElastoPlastic
   bool
   MultifrontalFactor::eliminate(const Front &front)
   {
-    double *const begin = static_cast<double *>(factor.x) + front.begin;
+    double *const columns = columns_of(front);
     for (unsigned int k = 0; k < front.n_columns; k += n_together)
       {
-        const unsigned int n        = std::min(n_together, front.n_columns - k);
-        const unsigned int below    = front.n_rows - k - n;
-        const unsigned int rest     = front.n_columns - k - n;
-        double *const      diagonal = begin + std::size_t(k) * front.n_rows + k;
-        if (!DensePanels::factorize(diagonal, n, front.n_rows))
+        const unsigned int tile     = k / n_in_tile;
+        const unsigned int end      = std::min(k + n_together, front.n_columns);
+        const unsigned int below    = front.n_rows - end;
+        const unsigned int stride   = front.stride(tile);
+        double *const      diagonal = columns + front.diagonal(k);
+        if (!DensePanels::factorize(diagonal, end - k, stride))
           return false;
-        in_parallel(
-          LowerTriangle::n_tiles(below), 1, [&](const unsigned int t) {
-            DensePanels::divide(diagonal + n + t * n_in_tile,
-                                std::min(n_in_tile, below - t * n_in_tile),
-                                n,
-                                diagonal,
-                                front.n_rows);
-          });
-        in_parallel(LowerTriangle::n_tiles(rest), 1, [&](const unsigned int t) {
-          const unsigned int first = n + t * n_in_tile;
-          DensePanels::subtract_square(diagonal + std::size_t(first) *
-                                                    (front.n_rows + 1),
-                                       n + below - first,
-                                       std::min(n_in_tile, n + rest - first),
-                                       front.n_rows,
-                                       diagonal + first,
-                                       n,
-                                       front.n_rows);
+        in_parallel(Front::n_tiles(below), 1, [&](const unsigned int t) {
+          DensePanels::divide(diagonal + end - k + t * n_in_tile,
+                              std::min(n_in_tile, below - t * n_in_tile),
+                              end - k,
+                              diagonal,
+                              stride);
+        });
+        in_parallel(front.n_tiles() - tile, 1, [&](const unsigned int i) {
+          const unsigned int t     = tile + i;
+          const unsigned int first = std::max(end, t * n_in_tile);
+          if (first < front.n_columns)
+            DensePanels::subtract_square(columns + front.diagonal(first),
+                                         front.n_rows - first,
+                                         front.end_column(t) - first,
+                                         front.stride(t),
+                                         diagonal + first - k,
+                                         end - k,
+                                         stride);
         });
       }
     return true;
@@ -182,16 +183,22 @@ namespace ElastoPlastic
     const Front       &front  = fronts[f];
     const unsigned int n      = front.n_updated();
     LowerTriangle     &update = updates[f] = LowerTriangle(n);
-    in_parallel(LowerTriangle::n_tiles(n), 1, [&](const unsigned int t) {
+    in_parallel(Front::n_tiles(n), 1, [&](const unsigned int t) {
       const unsigned int first = t * n_in_tile;
-      DensePanels::set_to_minus_square(update.tile(t),
-                                       n - first,
-                                       std::min(n_in_tile, n - first),
-                                       update.stride(t),
-                                       columns_of(front) + front.n_columns +
-                                         first,
-                                       front.n_columns,
-                                       front.n_rows);
+      for (unsigned int of_front = 0; of_front < front.n_tiles(); ++of_front)
+        {
+          const unsigned int before = of_front * n_in_tile;
+          const auto change = of_front == 0 ? DensePanels::set_to_minus_square :
+                                              DensePanels::subtract_square;
+          change(update.tile(t),
+                 n - first,
+                 std::min(n_in_tile, n - first),
+                 update.stride(t),
+                 columns_of(front) + front.begin(of_front) + front.n_columns -
+                   before + first,
+                 front.end_column(of_front) - before,
+                 front.stride(of_front));
+        }
     });
   }
 
@@ -212,7 +219,7 @@ namespace ElastoPlastic
 
   // (No exception may leave a part that threads share.)
   bool
-  MultifrontalFactor::factorize()
+  MultifrontalFactor::eliminate_by_parts()
   {
     bool is_positive = true, has_memory = true;
 #pragma omp parallel for schedule(dynamic) \
@@ -233,6 +240,20 @@ namespace ElastoPlastic
       throw std::bad_alloc();
     for (unsigned int i = 0; is_positive && i < last_fronts.size(); ++i)
       is_positive = eliminate(last_fronts[i]);
+    return is_positive;
+  }
+
+
+
+  bool
+  MultifrontalFactor::factorize()
+  {
+    bool is_positive = true;
+    if (is_alone())
+      for (unsigned int f = 0; is_positive && f < fronts.size(); ++f)
+        is_positive = eliminate(f);
+    else
+      is_positive = eliminate_by_parts();
     for (LowerTriangle &update : updates)
       update = LowerTriangle(); // (what is left if it is not)
     return is_positive;

@@ -20,22 +20,30 @@ namespace ElastoPlastic
     for (const Front &front : fronts)
       {
         gather(front);
-        DensePanels::solve(rows.data(),
-                           front.n_rows,
-                           front.n_columns,
-                           columns_of(front),
-                           front.n_rows);
+        for (unsigned int t = 0; t < front.n_tiles(); ++t)
+          {
+            const unsigned int first = t * Front::n_in_tile;
+            DensePanels::solve(rows.data() + first,
+                               front.n_rows - first,
+                               front.end_column(t) - first,
+                               columns_of(front) + front.begin(t),
+                               front.stride(t));
+          }
         for (unsigned int i = 0; i < front.n_rows; ++i)
           x[front.rows[i]] = rows[i];
       }
     for (auto front = fronts.rbegin(); front != fronts.rend(); ++front)
       {
         gather(*front);
-        DensePanels::solve_transposed(rows.data(),
-                                      front->n_rows,
-                                      front->n_columns,
-                                      columns_of(*front),
-                                      front->n_rows);
+        for (unsigned int t = front->n_tiles(); t-- > 0;)
+          {
+            const unsigned int first = t * Front::n_in_tile;
+            DensePanels::solve_transposed(rows.data() + first,
+                                          front->n_rows - first,
+                                          front->end_column(t) - first,
+                                          columns_of(*front) + front->begin(t),
+                                          front->stride(t));
+          }
         for (unsigned int i = 0; i < front->n_columns; ++i)
           x[front->rows[i]] = rows[i];
       }

@@ -23,16 +23,13 @@ namespace ElastoPlastic
 
 
 
-  MultifrontalFactor::MultifrontalFactor(cholmod_factor &factor)
-    : factor(factor)
-    , places(factor.n)
+  MultifrontalFactor::MultifrontalFactor(const cholmod_factor &factor)
+    : places(factor.n)
     , front_of(factor.n)
   {
     const auto *const columns =
       static_cast<const SuiteSparse_long *>(factor.super);
     const auto *const rows = static_cast<const SuiteSparse_long *>(factor.pi);
-    const auto *const entries =
-      static_cast<const SuiteSparse_long *>(factor.px);
     const auto *const numbers = static_cast<const SuiteSparse_long *>(factor.s);
 
     const auto *const order =
@@ -44,12 +41,13 @@ namespace ElastoPlastic
         std::fill(front_of.begin() + columns[f],
                   front_of.begin() + columns[f + 1],
                   f);
-        Front &front    = fronts.emplace_back();
-        front.n_columns = columns[f + 1] - columns[f];
-        front.n_rows    = rows[f + 1] - rows[f];
-        front.begin     = entries[f];
-        front.rows      = numbers + rows[f];
-        front.first     = f;
+        Front &front      = fronts.emplace_back();
+        front.n_columns   = columns[f + 1] - columns[f];
+        front.n_rows      = rows[f + 1] - rows[f];
+        front.first_entry = n_entries;
+        front.rows        = numbers + rows[f];
+        front.first       = f;
+        n_entries += front.n_entries();
         updates.emplace_back();
       }
     for (unsigned int f = 0; f < fronts.size(); ++f)
@@ -75,7 +73,7 @@ namespace ElastoPlastic
   {
     const auto size = [&](const unsigned int i) {
       return static_cast<double>(
-        LowerTriangle::n_entries(fronts[i].n_updated()));
+        LowerTriangle::shape_of(fronts[i].n_updated()).n_entries());
     };
     now += size(f);
     most = std::max(most, now);
@@ -116,11 +114,27 @@ namespace ElastoPlastic
 
 
 
+  bool
+  MultifrontalFactor::is_alone()
+  {
+    return omp_get_max_threads() == 1;
+  }
+
+
+
   // Each thread treats one part at a time, and what parts leave behind for the
   // last fronts is kept until all are done.
   double
   MultifrontalFactor::workspace() const
   {
+    if (is_alone())
+      {
+        UpdatesHeld held;
+        for (unsigned int f = 0; f < fronts.size(); ++f)
+          held.eliminate(fronts, f);
+        return sizeof(double) * held.most;
+      }
+
     double              left = 0;
     std::vector<double> beside;
     for (const unsigned int p : parts)
@@ -142,14 +156,33 @@ namespace ElastoPlastic
 
 
 
-  std::size_t
-  MultifrontalFactor::position(const unsigned int i, const unsigned int j) const
+  double
+  MultifrontalFactor::memory() const
   {
-    const auto [column, row]          = std::minmax(places[i], places[j]);
-    const Front      &front           = fronts[front_of[column]];
-    const std::size_t column_of_front = column - front.rows[0];
-    const std::size_t row_of_front =
+    return sizeof(double) * static_cast<double>(n_entries);
+  }
+
+
+
+  void
+  MultifrontalFactor::clear()
+  {
+    if (!entries)
+      entries.reset(new double[n_entries]);
+    std::fill_n(entries.get(), n_entries, 0.);
+  }
+
+
+
+  double &
+  MultifrontalFactor::entry(const unsigned int i, const unsigned int j)
+  {
+    const auto [column, row]           = std::minmax(places[i], places[j]);
+    const Front       &front           = fronts[front_of[column]];
+    const unsigned int column_of_front = column - front.rows[0];
+    const unsigned int row_of_front =
       std::lower_bound(front.rows, front.rows + front.n_rows, row) - front.rows;
-    return front.begin + column_of_front * front.n_rows + row_of_front;
+    return columns_of(
+      front)[front.diagonal(column_of_front) + row_of_front - column_of_front];
   }
 } // namespace ElastoPlastic

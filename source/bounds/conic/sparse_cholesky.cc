@@ -221,32 +221,12 @@ namespace ElastoPlastic
       throw std::bad_alloc();
     fronts                 = std::make_unique<MultifrontalFactor>(*factor);
     const double workspace = fronts->workspace();
-    require_memory(sizeof(double) * static_cast<double>(factor->xsize) +
-                     workspace,
+    require_memory(fronts->memory() + workspace,
                    "to factorise the equations of the equilibrium method");
     reserved.emplace(workspace);
-    if (!cholmod_l_change_factor(
-          CHOLMOD_REAL, 1, 1, 1, 1, factor.get(), &common))
-      throw std::bad_alloc();
     // (Memory that has not been touched does not count as used: another factor
     // would find room in it, too.)
     clear();
-  }
-
-
-
-  void
-  SparseCholesky::clear()
-  {
-    std::fill_n(static_cast<double *>(factor->x), factor->xsize, 0.);
-  }
-
-
-
-  double &
-  SparseCholesky::entry(const unsigned int row, const unsigned int column)
-  {
-    return static_cast<double *>(factor->x)[fronts->position(row, column)];
   }
 
 
