@@ -1,15 +1,37 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// More memory than the machine has is refused before it is asked for.
+// More memory than the machine has is refused before it is asked for; large
+// blocks go back to the system when they are freed.
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
+
+#include <vector>
 
 #include "base/process.h"
 #include "verdict.h"
 
 using namespace dealii;
 using namespace ElastoPlastic;
+
+namespace
+{
+  /// Resident bytes of this process when @p n_bytes have been freed, while a
+  /// little that came after them has not.
+  double
+  memory_after(const std::size_t n_bytes)
+  {
+    std::vector<char>       large(n_bytes, 1);
+    const std::vector<char> behind(1024, 1);
+    large = std::vector<char>();
+    Utilities::System::MemoryStats stats;
+    Utilities::System::get_memory_stats(stats);
+    return 1024. * stats.VmRSS;
+  }
+} // namespace
+
+
 
 int
 main(int argc, char *argv[])
@@ -30,6 +52,11 @@ main(int argc, char *argv[])
   }
   require_memory(1e6, "for little");
   return_free_memory();
+
+  return_large_blocks();
+  const double before = memory_after(1);
+  verify("large blocks go back", memory_after(512 << 20) - before, 64e6);
+
   try
     {
       require_memory(1e18, "to factorise a matrix");

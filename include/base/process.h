@@ -59,6 +59,13 @@ namespace ElastoPlastic
   void
   return_free_memory();
 
+  /// From now on, blocks of 32 MB and more go back to the system when they are
+  /// freed, so that they leave no holes in the memory of the process. This is
+  /// what GNU's C library does anyway, unless another library has forbidden it
+  /// (SuperLU_DIST does, which deal.II brings along).
+  void
+  return_large_blocks();
+
 
 
   /// From now on the signal SIGTERM does not end the program, but is noted.

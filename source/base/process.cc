@@ -139,6 +139,18 @@ namespace ElastoPlastic
 
 
   void
+  return_large_blocks()
+  {
+#ifdef __GLIBC__
+    constexpr int most_blocks = 65536, smallest_block = 32 << 20;
+    mallopt(M_MMAP_MAX, most_blocks);
+    mallopt(M_MMAP_THRESHOLD, smallest_block);
+#endif
+  }
+
+
+
+  void
   note_termination_requests()
   {
     std::signal(SIGTERM, [](int) { signal_received = 1; });

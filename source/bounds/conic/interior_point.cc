@@ -74,8 +74,7 @@ namespace ElastoPlastic
           throw UnboundedError();
         begin();
         while (!converged() && current.n_iterations < max_iterations &&
-               current.n_iterations <=
-                 n_best_iterations + max_idle_iterations &&
+               current.n_iterations <= best_iteration + max_idle_iterations &&
                step())
           {
             if (termination_requested_here())
@@ -165,8 +164,8 @@ namespace ElastoPlastic
             distance_from_solution() < best_distance)
           {
             best.reset();
-            best_distance     = distance_from_solution();
-            n_best_iterations = current.n_iterations;
+            best_distance  = distance_from_solution();
+            best_iteration = current.n_iterations;
           }
         if (interior.x.size() == 0 &&
             current.primal_error <= Tolerance::equations)
@@ -367,10 +366,9 @@ namespace ElastoPlastic
 
       ConicSolution current;
       ConicSolution interior; ///< far inside the cones, satisfies A x = b
-      /// Of all iterates, if it is not the current one.
-      std::optional<ConicSolution> best;
-      double                       best_distance     = 0;
-      unsigned int                 n_best_iterations = 0;
+      std::optional<ConicSolution> best; ///< of all, if not the current one
+      double                       best_distance  = 0;
+      unsigned int                 best_iteration = 0;
       KktVector                    residual;
       Vector<double>               scaled; ///< lambda = W z = W^-1 s
       StepDirection                direction;
@@ -382,8 +380,8 @@ namespace ElastoPlastic
   ConicSolution
   minimize(ConicProgram program, const double tolerance)
   {
-    // A program without cones gets one that says nothing, 0 <= 1, because
-    // deal.II's vectors may not be empty.
+    return_large_blocks();
+    // Without cones, 0 <= 1 is one: deal.II's vectors may not be empty.
     if (std::all_of(program.blocks.begin(),
                     program.blocks.end(),
                     [](const ConicBlock &block) {
