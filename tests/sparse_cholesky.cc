@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The ElastoPlasticContact authors
 // SPDX-License-Identifier: LGPL-2.1-or-later
 
-// Cholesky factors of a sparse matrix with many fronts, some of which are
-// larger than the tiles that threads share.
+// Cholesky factors of a sparse matrix with many fronts, and of one with a few
+// that are larger than the tiles in which they are stored.
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -103,6 +104,39 @@ namespace
     });
     return residual.linfty_norm();
   }
+
+
+
+  /// Two lists of unknowns that overlap: of the first, 600 are eliminated with
+  /// 300 rows below them.
+  double
+  residual_of_large_fronts()
+  {
+    constexpr unsigned int n = 1500, begin_of_second = 600, end_of_first = 900;
+    std::vector<std::vector<unsigned int>> lists(2);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        if (i < end_of_first)
+          lists[0].push_back(i);
+        if (i >= begin_of_second)
+          lists[1].push_back(i);
+      }
+    SparseCholesky factor(n, lists);
+    factor.clear();
+    FullMatrix<double> matrix(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = i < end_of_first ? 0 : begin_of_second; j <= i; ++j)
+        {
+          const double value = i == j ? 1000. : entry(i, j);
+          matrix(i, j) = matrix(j, i) = factor.entry(i, j) = value;
+        }
+    if (!factor.factorize())
+      return numbers::invalid_unsigned_int;
+    Vector<double> right_hand_side(n), solution, residual(n);
+    right_hand_side = 1.;
+    factor.vmult(solution, right_hand_side);
+    return matrix.residual(residual, solution, right_hand_side);
+  }
 } // namespace
 
 
@@ -139,4 +173,9 @@ main(int argc, char *argv[])
   fill(factor);
   verify("positive definite again", factor.factorize());
   verify("its residual", largest_residual(solve(factor)), 1e-14);
+
+  omp_set_num_threads(1);
+  verify("large fronts", residual_of_large_fronts(), 1e-12);
+  omp_set_num_threads(3);
+  verify("by three threads", residual_of_large_fronts(), 1e-12);
 }

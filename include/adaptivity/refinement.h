@@ -97,8 +97,8 @@ namespace ElastoPlastic
 
 
   /// Flags the cells for the next mesh. @p error_indicators holds one value per
-  /// active cell of this rank; what differs by less than their relative
-  /// @p accuracy is treated alike (adaptivity/ties.h). Collective.
+  /// active cell of this rank, with this relative @p accuracy: cells that they
+  /// do not tell apart are refined together, see flag_ties(). Collective.
   template <int dim>
   void
   flag_cells(const RefinementParameters                &parameters,

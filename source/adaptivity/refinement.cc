@@ -158,7 +158,11 @@ namespace ElastoPlastic
               refined > parameters.refinement_fraction ?
                 std::min(parameters.coarsening_fraction, 1. - refined) :
                 parameters.coarsening_fraction);
-          flag_ties(error_indicators, accuracy, triangulation);
+          flag_ties(static_cast<std::uint64_t>(
+                      refined * triangulation.n_global_active_cells()),
+                    error_indicators,
+                    accuracy,
+                    triangulation);
         }
     }
   } // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "adaptivity/ties.h"
 #include "base/compatibility.h"
@@ -15,12 +16,12 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Of how many cells, beyond those flagged, ties are looked for: a cell has
-    /// seven images in three planes, and a twentieth changes no mesh much.
+    /// How many cells may tie: a cell of a cube has 47 images, and a tenth of
+    /// the cells that are refined changes no mesh much.
     std::size_t
-    n_candidates(const std::size_t n_flagged)
+    max_ties(const std::uint64_t n_refined)
     {
-      return std::max<std::size_t>(8, n_flagged / 20);
+      return std::max<std::size_t>(48, n_refined / 10);
     }
 
 
@@ -43,53 +44,6 @@ namespace ElastoPlastic
       keep_largest(all);
       return all;
     }
-
-
-
-    /// What is flagged is what has the largest @p sign times indicator.
-    template <int dim, typename IsFlagged, typename Flag>
-    void
-    flag_ties_of(const float                                sign,
-                 const IsFlagged                           &is_flagged,
-                 const Flag                                &flag,
-                 const Vector<float>                       &indicators,
-                 const double                               accuracy,
-                 parallel::distributed::Triangulation<dim> &triangulation)
-    {
-      const MPI_Comm communicator = communicator_of(triangulation);
-      const auto     value        = [&](const auto &cell) {
-        return sign * indicators[cell->active_cell_index()];
-      };
-      const auto is_candidate = [](const auto &cell) {
-        return cell->is_locally_owned() && !cell->refine_flag_set() &&
-               !cell->coarsen_flag_set();
-      };
-
-      std::size_t        n_flagged = 0;
-      float              last      = std::numeric_limits<float>::max();
-      std::vector<float> candidates;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (is_candidate(cell))
-          candidates.push_back(value(cell));
-        else if (cell->is_locally_owned() && is_flagged(cell))
-          {
-            ++n_flagged;
-            last = std::min(last, value(cell));
-          }
-      n_flagged = Utilities::MPI::sum(n_flagged, communicator);
-      last      = Utilities::MPI::min(last, communicator);
-      if (n_flagged == 0)
-        return;
-
-      candidates          = largest_of_all(std::move(candidates),
-                                  n_candidates(n_flagged),
-                                  communicator);
-      const std::size_t n = n_ties(last, candidates, accuracy);
-      if (n > 0)
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (is_candidate(cell) && value(cell) >= candidates[n - 1])
-            flag(cell);
-    }
   } // namespace
 
 
@@ -97,11 +51,12 @@ namespace ElastoPlastic
   std::size_t
   n_ties(const float               last,
          const std::vector<float> &candidates,
+         const std::size_t         n_at_most,
          const double              accuracy)
   {
     std::size_t before_widest = 0;
     double      widest        = 0.;
-    for (std::size_t n = 0; n < candidates.size(); ++n)
+    for (std::size_t n = 0; n < candidates.size() && n <= n_at_most; ++n)
       {
         const double a    = n > 0 ? candidates[n - 1] : last;
         const double b    = candidates[n];
@@ -115,41 +70,69 @@ namespace ElastoPlastic
             before_widest = n;
           }
       }
-    return before_widest;
+    return candidates.size() <= n_at_most ? candidates.size() : before_widest;
   }
 
 
 
   template <int dim>
   void
-  flag_ties(const Vector<float>                       &error_indicators,
+  flag_ties(const std::uint64_t                        n_wanted,
+            const Vector<float>                       &error_indicators,
             const double                               accuracy,
             parallel::distributed::Triangulation<dim> &triangulation)
   {
-    flag_ties_of(
-      1.f,
-      [](const auto &cell) { return cell->refine_flag_set(); },
-      [](const auto &cell) { cell->set_refine_flag(); },
-      error_indicators,
-      accuracy,
-      triangulation);
-    flag_ties_of(
-      -1.f,
-      [](const auto &cell) { return cell->coarsen_flag_set(); },
-      [](const auto &cell) { cell->set_coarsen_flag(); },
-      error_indicators,
-      accuracy,
-      triangulation);
+    const MPI_Comm communicator = communicator_of(triangulation);
+    const auto     error        = [&](const auto &cell) {
+      return error_indicators[cell->active_cell_index()];
+    };
+    std::uint64_t      n_flagged = 0;
+    float              last      = std::numeric_limits<float>::max();
+    std::vector<float> others;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          if (cell->refine_flag_set())
+            {
+              ++n_flagged;
+              last = std::min(last, error(cell));
+            }
+          else if (error(cell) > 0.)
+            others.push_back(error(cell));
+        }
+    n_flagged = Utilities::MPI::sum(n_flagged, communicator);
+    last      = Utilities::MPI::min(last, communicator);
+
+    const std::size_t missing   = std::max(n_wanted, n_flagged) - n_flagged;
+    const std::size_t n_at_most = max_ties(n_flagged + missing);
+    others =
+      largest_of_all(std::move(others), missing + n_at_most + 1, communicator);
+    const auto first_candidate =
+      others.begin() + std::min(missing, others.size());
+    if (first_candidate != others.begin())
+      last = first_candidate[-1];
+    const std::vector<float> candidates(first_candidate, others.end());
+    if (const std::size_t n = n_ties(last, candidates, n_at_most, accuracy);
+        n > 0)
+      last = candidates[n - 1];
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() && error(cell) >= last)
+        {
+          cell->clear_coarsen_flag();
+          cell->set_refine_flag();
+        }
   }
 
 
 
   template void
-  flag_ties(const Vector<float> &,
+  flag_ties(const std::uint64_t,
+            const Vector<float> &,
             const double,
             parallel::distributed::Triangulation<2> &);
   template void
-  flag_ties(const Vector<float> &,
+  flag_ties(const std::uint64_t,
+            const Vector<float> &,
             const double,
             parallel::distributed::Triangulation<3> &);
 } // namespace ElastoPlastic

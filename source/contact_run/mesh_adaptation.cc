@@ -9,8 +9,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// Of the errors of cells, which rounding and the tolerance of Newton's
-    /// method change by less, relatively.
+    /// Relative: rounding and the tolerance of Newton's method change the
+    /// errors of cells by less.
     constexpr double accuracy_of_indicators = 1e-5;
   } // namespace
 

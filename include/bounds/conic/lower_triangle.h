@@ -10,10 +10,10 @@
 
 namespace ElastoPlastic
 {
-  /// Where the entries of a matrix are, of the first rows of which only the
-  /// lower half counts. They are stored by tiles: of some columns, one after
-  /// the other, all rows from the first of these columns on. That takes little
-  /// more than what counts.
+  /// Where the entries of a matrix are that has at least as many rows as
+  /// columns, and whose entries above the diagonal do not count. They are
+  /// stored by tiles: of some columns, one after the other, all rows from the
+  /// first of these columns on. That takes little more than what counts.
   struct LowerTrapezoid
   {
     static constexpr unsigned int n_in_tile = 256;
@@ -21,7 +21,7 @@ namespace ElastoPlastic
     unsigned int n_columns = 0;
     unsigned int n_rows    = 0; ///< not less than columns
 
-    /// Of @p n columns.
+    /// Of @p n columns or rows.
     static unsigned int
     n_tiles(const unsigned int n)
     {

@@ -35,14 +35,15 @@ namespace ElastoPlastic
     };
 
     /// @p factor must be supernodal, with indices of 64 bits (those of 32 end
-    /// at 2^31 entries), without entries, and live as long as this object.
+    /// at 2^31 entries), and live as long as this object. Of it, the structure
+    /// is all that counts: the entries are stored here, by tiles.
     explicit MultifrontalFactor(const cholmod_factor &factor);
 
     /// Bytes of all entries.
     double
     memory() const;
 
-    /// The most bytes that all threads together can need beside them.
+    /// The most bytes that all threads of now, or less, can need beside them.
     double
     workspace() const;
 
@@ -122,8 +123,8 @@ namespace ElastoPlastic
     bool
     eliminate(const unsigned int f);
 
-    /// Whether there is only one thread. It takes the fronts one after the
-    /// other: then, the fewest updates wait for others.
+    /// Whether a single thread takes the fronts one after the other: so the
+    /// fewest updates wait for others.
     static bool
     is_alone();
 

@@ -29,8 +29,8 @@ namespace ElastoPlastic
   class PredictedGaps
   {
   public:
-    /// Of the indicators: the gaps of cells that mirror each other differ by
-    /// less, relatively, where the tolerance of the bounds ends the iteration.
+    /// Of the indicators, relative. Those of cells that mirror each other have
+    /// differed by up to 3e-4, because an iteration ends at a tolerance.
     static constexpr double accuracy = 1e-3;
 
     /// For what the first rank knows of the simplices of @p mesh,

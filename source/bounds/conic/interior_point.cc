@@ -175,6 +175,7 @@ namespace ElastoPlastic
       bool
       scale()
       {
+        direction = StepDirection(); // The factorisation needs its memory.
         scalings.clear();
         for (unsigned int c = 0; c < n_cones; ++c)
           {
@@ -207,7 +208,6 @@ namespace ElastoPlastic
       bool
       step()
       {
-        direction = StepDirection(); // The next factorisation needs its memory.
         if (!scale())
           return false;
 

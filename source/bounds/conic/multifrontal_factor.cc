@@ -145,10 +145,9 @@ namespace ElastoPlastic
     double *const columns = columns_of(front);
     for (unsigned int k = 0; k < front.n_columns; k += n_together)
       {
-        const unsigned int tile     = k / n_in_tile;
         const unsigned int end      = std::min(k + n_together, front.n_columns);
         const unsigned int below    = front.n_rows - end;
-        const unsigned int stride   = front.stride(tile);
+        const unsigned int stride   = front.stride(k / n_in_tile);
         double *const      diagonal = columns + front.diagonal(k);
         if (!DensePanels::factorize(diagonal, end - k, stride))
           return false;
@@ -159,17 +158,18 @@ namespace ElastoPlastic
                               diagonal,
                               stride);
         });
-        in_parallel(front.n_tiles() - tile, 1, [&](const unsigned int i) {
-          const unsigned int t     = tile + i;
+        const unsigned int next =
+          end < front.n_columns ? end / n_in_tile : front.n_tiles();
+        in_parallel(front.n_tiles() - next, 1, [&](const unsigned int i) {
+          const unsigned int t     = next + i;
           const unsigned int first = std::max(end, t * n_in_tile);
-          if (first < front.n_columns)
-            DensePanels::subtract_square(columns + front.diagonal(first),
-                                         front.n_rows - first,
-                                         front.end_column(t) - first,
-                                         front.stride(t),
-                                         diagonal + first - k,
-                                         end - k,
-                                         stride);
+          DensePanels::subtract_square(columns + front.diagonal(first),
+                                       front.n_rows - first,
+                                       front.end_column(t) - first,
+                                       front.stride(t),
+                                       diagonal + first - k,
+                                       end - k,
+                                       stride);
         });
       }
     return true;
