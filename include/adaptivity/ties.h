@@ -17,11 +17,12 @@ namespace ElastoPlastic
 
   /// Cells that mirror each other have the same error, but for rounding: where
   /// some of them are to be refined, the others are to be refined, too, or the
-  /// mesh would depend on the last digits of the solution. Flags the cells with
-  /// the largest positive errors until there are @p n_wanted, which deal.II has
-  /// flagged as well as its bisection can tell them apart, and those that tie
-  /// with the last one: up to the first jump of the errors by more than
-  /// @p accuracy, which is relative. Collective.
+  /// mesh would depend on the last digits of the solution. deal.II has flagged
+  /// about @p n_wanted cells, as its bisection of the errors could tell them
+  /// apart. Flags those with the largest errors that are still wanted, but none
+  /// whose error is rounding of the largest; and those that tie with the last
+  /// one: up to the first jump of the errors by more than @p accuracy, which is
+  /// relative. Cells with equal errors are never told apart. Collective.
   template <int dim>
   void
   flag_ties(const std::uint64_t                        n_wanted,
@@ -31,9 +32,10 @@ namespace ElastoPlastic
 
 
 
-  /// @return how many of @p candidates, which are sorted, tie with the @p last
-  /// cell before them. If there is no jump before @p n_at_most of them, those
-  /// before the widest difference; they are all there are if they are not more.
+  /// @return how many of @p candidates, sorted errors, tie with the @p last one
+  /// before them: those before the first jump. Without a jump, they are all if
+  /// they are not more than @p n_at_most, else those before the widest
+  /// difference.
   std::size_t
   n_ties(const float               last,
          const std::vector<float> &candidates,

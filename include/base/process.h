@@ -60,9 +60,9 @@ namespace ElastoPlastic
   return_free_memory();
 
   /// From now on, blocks of 32 MB and more go back to the system when they are
-  /// freed, so that they leave no holes in the memory of the process. This is
-  /// what GNU's C library does anyway, unless another library has forbidden it
-  /// (SuperLU_DIST does, which deal.II brings along).
+  /// freed, so that they leave no holes in the memory of the process; smaller
+  /// ones stay. GNU's C library would give back both, but SuperLU_DIST, which
+  /// deal.II brings along, forbids it.
   void
   return_large_blocks();
 

@@ -16,8 +16,8 @@ namespace ElastoPlastic
 {
   namespace
   {
-    /// How many cells may tie: a cell of a cube has 47 images, and a tenth of
-    /// the cells that are refined changes no mesh much.
+    /// How many cells may tie, if nothing tells where these end: a cell of a
+    /// cube has 47 images, and a tenth more changes no large mesh much.
     std::size_t
     max_ties(const std::uint64_t n_refined)
     {
@@ -86,18 +86,26 @@ namespace ElastoPlastic
     const auto     error        = [&](const auto &cell) {
       return error_indicators[cell->active_cell_index()];
     };
+    const float rounding =
+      std::numeric_limits<float>::epsilon() *
+      Utilities::MPI::max(error_indicators.size() > 0 ?
+                            error_indicators.linfty_norm() :
+                            0.f,
+                          communicator);
     std::uint64_t      n_flagged = 0;
     float              last      = std::numeric_limits<float>::max();
     std::vector<float> others;
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          if (cell->refine_flag_set())
+          if (error(cell) <= rounding)
+            cell->clear_refine_flag();
+          else if (cell->refine_flag_set())
             {
               ++n_flagged;
               last = std::min(last, error(cell));
             }
-          else if (error(cell) > 0.)
+          else
             others.push_back(error(cell));
         }
     n_flagged = Utilities::MPI::sum(n_flagged, communicator);
