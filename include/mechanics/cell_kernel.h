@@ -115,7 +115,8 @@ namespace ElastoPlastic
                const Tangents                  &tangents) const = 0;
 
     /// To be called when the @p tangents are complete, before products with
-    /// them. Where that pays, it computes the matrices of the cells.
+    /// them. Where that pays, it computes the matrices of the cells or, of
+    /// tangents that are constant on cells, their ReferenceTangents.
     virtual void
     prepare_products(Tangents &tangents) const = 0;
 

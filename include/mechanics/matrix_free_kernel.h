@@ -70,6 +70,10 @@ namespace ElastoPlastic
     static constexpr bool has_modes =
       StrainMeasure::has_modes && !keeps_cell_matrices &&
       (Tangents::constant_on_cells || !StrainMeasure::has_nominal_tangents);
+    /// So are those in space that are not boxes, as if they were
+    /// parallelepipeds: products of a level may be approximate.
+    static constexpr bool keeps_reference_tangents =
+      Tangents::constant_on_cells && dim == 3;
     /// Of a symmetric matrix, row by row from the diagonal on.
     static constexpr unsigned int n_matrix_entries = n_dofs * (n_dofs + 1) / 2;
 
@@ -147,6 +151,34 @@ namespace ElastoPlastic
     /// The same for boxes with constant tangents.
     void
     apply_tangent_by_modes(Evaluation &phi, const Tangents &tangents) const;
+
+    /// The same for cells of other forms with their reference @p tangent.
+    void
+    apply_reference_tangent(Number                              *values,
+                            const ReferenceTangent<dim, Number> &tangent) const;
+
+    /// What both do: the cells are boxes with the @p reciprocals of the lengths
+    /// of their edges, @p Measure knows the stresses of modes.
+    template <typename Measure, typename TangentsOfBatch>
+    void
+    apply_by_modes(Number                        *values,
+                   const std::array<Number, dim> &reciprocals,
+                   const Number                  &volume,
+                   const TangentsOfBatch         &tangents) const;
+
+    /// The tangent of the current cells of @p phi, with the mean of the
+    /// Jacobians.
+    ReferenceTangent<dim, Number>
+    reference_tangent(const Evaluation &phi, const OfBatch &tangents) const;
+
+    void
+    compute_reference_tangents(Tangents &tangents) const;
+
+    bool
+    has_other_cells_than_boxes() const;
+
+    void
+    compute_cell_matrices(Tangents &tangents) const;
 
     /// The matrices of the current cells of @p phi, column by column.
     void

@@ -100,12 +100,21 @@ namespace ElastoPlastic
     Vector &forces, const Vector &increment, const Tangents &tangents) const
   {
     integrate_cells(forces, increment, [&](Evaluation &phi) {
+      const unsigned int batch = phi.get_current_cell_index();
       if constexpr (keeps_cell_matrices)
-        multiply(&tangents.cell_matrices[phi.get_current_cell_index() *
-                                         n_matrix_entries],
+        multiply(&tangents.cell_matrices[batch * n_matrix_entries],
                  phi.begin_dof_values());
       else
-        apply_tangent(phi, tangents);
+        {
+          if constexpr (keeps_reference_tangents)
+            if (!tangents.reference_tangents.empty())
+              {
+                apply_reference_tangent(phi.begin_dof_values(),
+                                        tangents.reference_tangents[batch]);
+                return;
+              }
+          apply_tangent(phi, tangents);
+        }
     });
   }
 
@@ -211,14 +220,45 @@ namespace ElastoPlastic
             reciprocals[d] = to_reference[d][d];
             volume /= to_reference[d][d];
           }
-        BoxModes<dim, degree, Number>(reciprocals, volume)
-          .apply(phi.begin_dof_values(),
-                 [&](const auto mode, const auto &gradient) {
-                   using Mode = std::decay_t<decltype(mode)>;
-                   return StrainMeasure::template stress_of_mode<Mode>(
-                     of_cells, gradient, Mode::is_constant || !is_b_bar());
-                 });
+        apply_by_modes<StrainMeasure>(phi.begin_dof_values(),
+                                      reciprocals,
+                                      volume,
+                                      of_cells);
       }
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  [[gnu::noinline, gnu::flatten]] void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::apply_reference_tangent(
+    Number *const values, const ReferenceTangent<dim, Number> &tangent) const
+  {
+    std::array<Number, dim> reciprocals;
+    reciprocals.fill(Number(1.));
+    apply_by_modes<FiniteIncrement<CartesianCoordinates<dim>>>(values,
+                                                               reciprocals,
+                                                               Number(1.),
+                                                               tangent);
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  template <typename Measure, typename TangentsOfBatch>
+  ELASTO_PLASTIC_ALWAYS_INLINE inline void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::apply_by_modes(
+    Number *const                  values,
+    const std::array<Number, dim> &reciprocals,
+    const Number                  &volume,
+    const TangentsOfBatch         &tangents) const
+  {
+    BoxModes<dim, degree, Number>(reciprocals, volume)
+      .apply(values, [&](const auto mode, const auto &gradient) {
+        using Mode = std::decay_t<decltype(mode)>;
+        return Measure::template stress_of_mode<Mode>(
+          tangents, gradient, Mode::is_constant || !is_b_bar());
+      });
   }
 } // namespace ElastoPlastic
 

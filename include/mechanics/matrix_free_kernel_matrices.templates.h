@@ -39,21 +39,97 @@ namespace ElastoPlastic
     [[maybe_unused]] Tangents &tangents) const
   {
     if constexpr (keeps_cell_matrices)
+      compute_cell_matrices(tangents);
+    else if constexpr (keeps_reference_tangents)
+      if (has_other_cells_than_boxes())
+        compute_reference_tangents(tangents);
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_cell_matrices(
+    Tangents &tangents) const
+  {
+    Evaluation            phi(matrix_free);
+    AlignedVector<Number> columns(n_dofs * n_dofs);
+    tangents.cell_matrices.resize_fast(this->n_batches() * n_matrix_entries);
+    Number *entry = tangents.cell_matrices.begin();
+    for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
       {
-        Evaluation            phi(matrix_free);
-        AlignedVector<Number> columns(n_dofs * n_dofs);
-        tangents.cell_matrices.resize_fast(this->n_batches() *
-                                           n_matrix_entries);
-        Number *entry = tangents.cell_matrices.begin();
-        for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
-          {
-            phi.reinit(batch);
-            compute_cell_matrices(columns, phi, tangents);
-            for (unsigned int i = 0; i < n_dofs; ++i)
-              for (unsigned int j = i; j < n_dofs; ++j)
-                *entry++ = columns[j * n_dofs + i];
-          }
+        phi.reinit(batch);
+        compute_cell_matrices(columns, phi, tangents);
+        for (unsigned int i = 0; i < n_dofs; ++i)
+          for (unsigned int j = i; j < n_dofs; ++j)
+            *entry++ = columns[j * n_dofs + i];
       }
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  bool
+  MatrixFreeKernel<degree, StrainMeasure, Base>::has_other_cells_than_boxes()
+    const
+  {
+    for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
+      if (matrix_free.get_mapping_info().get_cell_type(batch) !=
+          internal::MatrixFreeFunctions::cartesian)
+        return true;
+    return false;
+  }
+
+
+
+  template <int degree, typename StrainMeasure, typename Base>
+  void
+  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_reference_tangents(
+    Tangents &tangents) const
+  {
+    Evaluation phi(matrix_free);
+    tangents.reference_tangents.resize_fast(this->n_batches());
+    for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
+      {
+        phi.reinit(batch);
+        tangents.reference_tangents[batch] =
+          reference_tangent(phi, OfBatch(tangents, batch));
+      }
+  }
+
+
+
+  // (inverse_jacobian() is transposed, its inverse too, so that these have the
+  // same mean as the Jacobians.)
+  template <int degree, typename StrainMeasure, typename Base>
+  auto
+  MatrixFreeKernel<degree, StrainMeasure, Base>::reference_tangent(
+    const Evaluation &phi, const OfBatch &tangents) const
+    -> ReferenceTangent<dim, Number>
+  {
+    NominalTangent<dim, Number> nominal;
+    if constexpr (StrainMeasure::has_nominal_tangents)
+      nominal = tangents.nominal_tangent();
+    else
+      {
+        Tensor<2, n_gradient_entries<dim>, Number> derivative;
+        GeneralSmallStrain<CartesianCoordinates<dim>>::linearize(
+          derivative,
+          nominal.volumetric_slope,
+          {},
+          {},
+          tangents.law(0),
+          tangents.bulk_modulus);
+        nominal.stiffness = symmetrize(derivative);
+      }
+    Tensor<2, dim, Number> x_by_xi;
+    Number                 volume = 0.;
+    for (unsigned int q = 0; q < n_points; ++q)
+      {
+        x_by_xi += Number(1. / n_points) * invert(phi.inverse_jacobian(q));
+        volume += StrainMeasure::volume_at(phi, q);
+      }
+    return {nominal, tangents.bulk_modulus, invert(x_by_xi), volume};
   }
 
 

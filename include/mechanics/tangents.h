@@ -9,6 +9,7 @@
 #include "base/simd.h"
 #include "material/deviatoric_tangent.h"
 #include "mechanics/nominal_tangent.h"
+#include "mechanics/reference_tangent.h"
 
 namespace ElastoPlastic
 {
@@ -155,8 +156,10 @@ namespace ElastoPlastic
 
     using OfConstantBatch = OfBatch;
 
-    /// What CellKernel::prepare_products() has computed of the tangents.
-    AlignedVector<Number> cell_matrices;
+    /// What CellKernel::prepare_products() has computed of the tangents, if it
+    /// has.
+    AlignedVector<Number>                        cell_matrices;
+    AlignedVector<ReferenceTangent<dim, Number>> reference_tangents;
 
   private:
     const bool                                 are_nominal;
