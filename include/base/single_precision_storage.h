@@ -8,12 +8,14 @@
 
 #include <type_traits>
 
+#include "base/packed_lanes.h"
+
 namespace ElastoPlastic
 {
-  /// An array of @p T, a type that consists of nothing but double precision
-  /// numbers, which are rounded to single precision for storage: for data of
-  /// quadrature points whose size, or the time it takes to read them, matters
-  /// more than their last digits.
+  /// An array of @p T, a type that consists of nothing but Simd<double>, which
+  /// are rounded to single precision for storage: for data of quadrature points
+  /// whose size, or the time it takes to read them, matters more than their
+  /// last digits.
   template <typename T>
   class SinglePrecisionStorage
   {
@@ -26,32 +28,31 @@ namespace ElastoPlastic
       numbers.resize(n_entries * n_numbers);
     }
 
-    T
+    ELASTO_PLASTIC_ALWAYS_INLINE inline T
     operator[](const std::size_t entry) const
     {
-      T                  value;
-      const float *const from = numbers.data() + entry * n_numbers;
-      double *const      to   = reinterpret_cast<double *>(&value);
+      T             value;
+      Number *const to = reinterpret_cast<Number *>(&value);
       for (unsigned int i = 0; i < n_numbers; ++i)
-        to[i] = from[i];
+        to[i] = numbers[entry * n_numbers + i];
       return value;
     }
 
     void
     set(const std::size_t entry, const T &value)
     {
-      const double *const from = reinterpret_cast<const double *>(&value);
-      float *const        to   = numbers.data() + entry * n_numbers;
+      const Number *const from = reinterpret_cast<const Number *>(&value);
       for (unsigned int i = 0; i < n_numbers; ++i)
-        to[i] = from[i];
+        numbers[entry * n_numbers + i] = from[i];
     }
 
   private:
+    using Number = Simd<double>;
     static_assert(std::is_standard_layout_v<T>);
-    static_assert(sizeof(T) % sizeof(double) == 0);
-    static constexpr unsigned int n_numbers = sizeof(T) / sizeof(double);
+    static_assert(sizeof(T) % sizeof(Number) == 0);
+    static constexpr unsigned int n_numbers = sizeof(T) / sizeof(Number);
 
-    dealii::AlignedVector<float> numbers;
+    dealii::AlignedVector<PackedLanes<float>> numbers;
   };
 } // namespace ElastoPlastic
 

@@ -120,7 +120,7 @@ namespace ElastoPlastic
           {},
           tangents.law(0),
           tangents.bulk_modulus);
-        nominal.stiffness = symmetrize(derivative);
+        nominal.stiffness = NominalStiffness<dim, Number>(derivative);
       }
     Tensor<2, dim, Number> x_by_xi;
     Number                 volume = 0.;

@@ -4,12 +4,72 @@
 #ifndef mechanics_nominal_tangent_h
 #define mechanics_nominal_tangent_h
 
-#include <deal.II/base/symmetric_tensor.h>
+#include <array>
 
 #include "mechanics/displacement_gradient.h"
 
 namespace ElastoPlastic
 {
+  /// A symmetric matrix that nominal stresses, as GradientEntries, are made of
+  /// displacement gradients by. @p Number is what products are computed with,
+  /// or what it becomes for storage.
+  template <int dim, typename Number>
+  struct NominalStiffness
+  {
+    static constexpr unsigned int n         = n_gradient_entries<dim>;
+    static constexpr unsigned int n_entries = n * (n + 1) / 2;
+
+    NominalStiffness() = default;
+
+    /// The symmetric part of @p matrix.
+    template <typename T>
+    explicit NominalStiffness(const Tensor<2, n, T> &matrix)
+    {
+      Number *entry = entries.data();
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = i; j < n; ++j)
+          *entry++ = T(0.5 * (matrix[i][j] + matrix[j][i]));
+    }
+
+    /// Adds to @p stress the product with @p gradient, both with n entries;
+    /// those for which @p is_zero holds are left out of all three.
+    template <typename T, typename IsZero>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline void
+    add_product(T *const       stress,
+                const T *const gradient,
+                const IsZero  &is_zero) const
+    {
+      const Number *entry = entries.data();
+#pragma GCC unroll 9
+      for (unsigned int i = 0; i < n; ++i)
+#pragma GCC unroll 9
+        for (unsigned int j = i; j < n; ++j, ++entry)
+          if (!is_zero(i) && !is_zero(j))
+            {
+              const T k_ij = *entry;
+              stress[i] += k_ij * gradient[j];
+              if (i != j)
+                stress[j] += k_ij * gradient[i];
+            }
+    }
+
+    template <typename T>
+    ELASTO_PLASTIC_ALWAYS_INLINE inline GradientEntries<dim, T>
+    operator*(const GradientEntries<dim, T> &gradient) const
+    {
+      GradientEntries<dim, T> stress;
+      add_product(&stress[0], &gradient[0], [](const unsigned int) {
+        return false;
+      });
+      return stress;
+    }
+
+    /// Row by row, from the diagonal on.
+    std::array<Number, n_entries> entries;
+  };
+
+
+
   /// The tangent of a finite deformation, or of a small one whose material has
   /// a GeneralCriterion: the derivative of the nominal stress with respect to
   /// the displacement gradient, both as GradientEntries, is
@@ -19,56 +79,20 @@ namespace ElastoPlastic
   template <int dim, typename Number>
   struct NominalTangent
   {
-    static constexpr unsigned int n           = n_gradient_entries<dim>;
-    static constexpr unsigned int n_symmetric = n * (n + 1) / 2;
-    static constexpr unsigned int n_values    = n_symmetric + n;
+    static constexpr unsigned int n = n_gradient_entries<dim>;
+    static constexpr unsigned int n_values =
+      NominalStiffness<dim, Number>::n_entries + n;
 
-    SymmetricTensor<2, n, Number> stiffness;
-    Tensor<1, n, Number>          volumetric_slope;
-
-    /// Adds to @p stress the product of the stiffness with @p gradient, both
-    /// with n entries; those for which @p is_zero holds are left out of all
-    /// three. (deal.II's product searches the place of each entry of so large a
-    /// tensor; here, the compiler knows it.)
-    template <typename IsZero>
-    ELASTO_PLASTIC_ALWAYS_INLINE inline void
-    add_stiffness_times(Number *const       stress,
-                        const Number *const gradient,
-                        const IsZero       &is_zero) const
-    {
-      unsigned int entry = n;
-#pragma GCC unroll 9
-      for (unsigned int i = 0; i < n; ++i)
-        {
-          if (!is_zero(i))
-            stress[i] += stiffness.access_raw_entry(i) * gradient[i];
-#pragma GCC unroll 9
-          for (unsigned int j = i + 1; j < n; ++j, ++entry)
-            if (!is_zero(i) && !is_zero(j))
-              {
-                const Number &k_ij = stiffness.access_raw_entry(entry);
-                stress[i] += k_ij * gradient[j];
-                stress[j] += k_ij * gradient[i];
-              }
-        }
-    }
-
-    ELASTO_PLASTIC_ALWAYS_INLINE inline Tensor<1, n, Number>
-    stiffness_times(const Tensor<1, n, Number> &gradient) const
-    {
-      Tensor<1, n, Number> stress;
-      add_stiffness_times(&stress[0], &gradient[0], [](const unsigned int) {
-        return false;
-      });
-      return stress;
-    }
+    NominalStiffness<dim, Number> stiffness;
+    GradientEntries<dim, Number>  volumetric_slope;
 
     /// One of the n_values numbers that it consists of.
     Number &
     value(const unsigned int i)
     {
-      return i < n_symmetric ? stiffness.access_raw_entry(i) :
-                               volumetric_slope[i - n_symmetric];
+      const unsigned int n_entries = n_values - n;
+      return i < n_entries ? stiffness.entries[i] :
+                             volumetric_slope[i - n_entries];
     }
 
     const Number &

@@ -68,7 +68,11 @@ namespace ElastoPlastic
       flow_directions = Batches<PackedDeviator<dim>>(n_cell_batches);
       recoveries = Batches<PackedDeviator<dim>>(recovers ? n_cell_batches : 0);
       if (are_nominal)
-        nominal_tangents.reinit(n_points * n_cell_batches);
+        {
+          nominal_stiffnesses.resize(0);
+          nominal_stiffnesses.resize(n_points * n_cell_batches);
+          volumetric_slopes.reinit(n_points * n_cell_batches);
+        }
       if (are_nominal && recovers)
         skew_parts.reinit(n_points * n_cell_batches);
     }
@@ -150,8 +154,9 @@ namespace ElastoPlastic
                 const Tensor<2, n_gradient_entries<dim>, Number> &matrix,
                 const GradientEntries<dim, Number> &volumetric_slope)
     {
-      const unsigned int i = n_points * batch + point;
-      nominal_tangents.set(i, {symmetrize(matrix), volumetric_slope});
+      const unsigned int i   = n_points * batch + point;
+      nominal_stiffnesses[i] = PackedStiffness(matrix);
+      volumetric_slopes.set(i, volumetric_slope);
       if (recovers)
         skew_parts.set(i, SkewPart<dim, Number>(matrix));
     }
@@ -159,7 +164,14 @@ namespace ElastoPlastic
     NominalTangent<dim, Number>
     nominal(const unsigned int batch, const unsigned int point) const
     {
-      return nominal_tangents[n_points * batch + point];
+      const unsigned int          i = n_points * batch + point;
+      NominalTangent<dim, Number> tangent;
+      const auto                 &entries = nominal_stiffnesses[i].entries;
+      std::copy(entries.begin(),
+                entries.end(),
+                tangent.stiffness.entries.begin());
+      tangent.volumetric_slope = volumetric_slopes[i];
+      return tangent;
     }
 
     Tensor3
@@ -263,8 +275,8 @@ namespace ElastoPlastic
       nominal_stress(const unsigned int                  point,
                      const GradientEntries<dim, Number> &increment) const
       {
-        const unsigned int i = all.n_points * batch + point;
-        auto stress = all.nominal_tangents[i].stiffness_times(increment);
+        const unsigned int i      = all.n_points * batch + point;
+        auto               stress = all.nominal_stiffnesses[i] * increment;
         if (all.recovers)
           stress += all.skew_parts[i] * increment;
         return stress;
@@ -273,8 +285,7 @@ namespace ElastoPlastic
       GradientEntries<dim, Number>
       volumetric_slope(const unsigned int point) const
       {
-        return all.nominal_tangents[all.n_points * batch + point]
-          .volumetric_slope;
+        return all.volumetric_slopes[all.n_points * batch + point];
       }
 
       const Number bulk_modulus;
@@ -285,7 +296,8 @@ namespace ElastoPlastic
     };
 
   private:
-    using InPlane = SymmetricTensor<2, dim, Number>;
+    using InPlane         = SymmetricTensor<2, dim, Number>;
+    using PackedStiffness = NominalStiffness<dim, PackedLanes<float>>;
 
     /// What describes the tangent at a point, but for the flow direction: its
     /// flow is flow_length times that.
@@ -363,8 +375,9 @@ namespace ElastoPlastic
     /// Of the batch under way.
     std::array<GeneralTangent, max_points> general_tangents;
     /// Those of are_nominal only.
-    SinglePrecisionStorage<NominalTangent<dim, Number>> nominal_tangents;
-    SinglePrecisionStorage<SkewPart<dim, Number>>       skew_parts;
+    AlignedVector<PackedStiffness>                       nominal_stiffnesses;
+    SinglePrecisionStorage<GradientEntries<dim, Number>> volumetric_slopes;
+    SinglePrecisionStorage<SkewPart<dim, Number>>        skew_parts;
   };
 } // namespace ElastoPlastic
 

@@ -30,16 +30,15 @@ namespace ElastoPlastic
       : bulk_modulus(volume * bulk_modulus)
     {
       nominal.volumetric_slope = pull_back(tangent.volumetric_slope, xi_by_x);
+      Tensor<2, n, Number> columns;
       for (unsigned int l = 0; l < n; ++l)
         {
           Entries gradient;
           for (unsigned int j = 0; j < dim; ++j)
             gradient[l / dim * dim + j] = volume * xi_by_x[j][l % dim];
-          const Entries column =
-            pull_back(tangent.stiffness_times(gradient), xi_by_x);
-          for (unsigned int k = 0; k <= l; ++k)
-            nominal.stiffness[k][l] = column[k];
+          columns[l] = pull_back(tangent.stiffness * gradient, xi_by_x);
         }
+      nominal.stiffness = NominalStiffness<dim, Number>(columns);
     }
 
     // (what FiniteIncrement::stress_of_mode() takes)

@@ -255,9 +255,9 @@ namespace ElastoPlastic
       for (unsigned int i = 0; i < dim * dim; ++i)
         if (!is_zero(i))
           stress[i] = pressure * slope[i];
-      tangents.nominal_tangent().add_stiffness_times(stress.data(),
-                                                     entries.data(),
-                                                     is_zero);
+      tangents.nominal_tangent().stiffness.add_product(stress.data(),
+                                                       entries.data(),
+                                                       is_zero);
       return stress;
     }
 

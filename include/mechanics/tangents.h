@@ -126,7 +126,7 @@ namespace ElastoPlastic
       nominal_stress(const unsigned int,
                      const GradientEntries<dim, Number> &increment) const
       {
-        return nominal->stiffness_times(increment);
+        return nominal->stiffness * increment;
       }
 
       const NominalTangent<dim, Number> &
