@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "base/packed_lanes.h"
+#include "base/simd.h"
 
 namespace ElastoPlastic
 {

@@ -95,7 +95,8 @@ namespace ElastoPlastic
       return matrix_free.get_constrained_dofs();
     }
 
-    /// The product of the tangent with @p increment.
+    /// The product of the tangent with @p increment; with ReferenceTangents, an
+    /// approximation on cells that are no parallelepipeds.
     virtual void
     vmult(Vector         &forces,
           const Vector   &increment,

@@ -16,7 +16,8 @@ namespace ElastoPlastic
   /// The CellKernel on deal.II's MatrixFree. New kinematics are a new
   /// @p StrainMeasure, a new material tangent a new class of @p Tangents; loops
   /// and integration stay. Residual, tangent product, matrix and diagonal use
-  /// the same strains and laws, and so cannot drift apart. @p Base is the
+  /// the same strains and laws, and so cannot drift apart (but for what levels
+  /// of multigrid leave out in products, see ReferenceTangent). @p Base is the
   /// interface: a CellKernel or one derived from it.
   template <int degree, typename StrainMeasure, typename Base>
   class MatrixFreeKernel : public Base
@@ -70,8 +71,8 @@ namespace ElastoPlastic
     static constexpr bool has_modes =
       StrainMeasure::has_modes && !keeps_cell_matrices &&
       (Tangents::constant_on_cells || !StrainMeasure::has_nominal_tangents);
-    /// So are those in space that are not boxes, as if they were
-    /// parallelepipeds: products of a level may be approximate.
+    /// So are, in products of a level, those in space that are no boxes, as if
+    /// they were parallelepipeds: it may be approximate.
     static constexpr bool keeps_reference_tangents =
       Tangents::constant_on_cells && dim == 3;
     /// Of a symmetric matrix, row by row from the diagonal on.
@@ -173,9 +174,6 @@ namespace ElastoPlastic
 
     void
     compute_reference_tangents(Tangents &tangents) const;
-
-    bool
-    has_other_cells_than_boxes() const;
 
     void
     compute_cell_matrices(Tangents &tangents) const;

@@ -107,7 +107,8 @@ namespace ElastoPlastic
       else
         {
           if constexpr (keeps_reference_tangents)
-            if (!tangents.reference_tangents.empty())
+            if (!tangents.reference_tangents.empty() &&
+                phi.get_cell_type() != internal::MatrixFreeFunctions::cartesian)
               {
                 apply_reference_tangent(phi.begin_dof_values(),
                                         tangents.reference_tangents[batch]);

@@ -4,10 +4,12 @@
 #ifndef mechanics_matrix_free_kernel_matrices_templates_h
 #define mechanics_matrix_free_kernel_matrices_templates_h
 
-// The part of MatrixFreeKernel that makes matrices and diagonals; see
-// matrix_free_kernel.templates.h.
+// The part of MatrixFreeKernel that makes matrices, diagonals and reference
+// tangents; see matrix_free_kernel.templates.h.
 
 #include <deal.II/lac/full_matrix.h>
+
+#include <algorithm>
 
 #include "base/simd.h"
 #include "mechanics/matrix_free_kernel.h"
@@ -41,8 +43,7 @@ namespace ElastoPlastic
     if constexpr (keeps_cell_matrices)
       compute_cell_matrices(tangents);
     else if constexpr (keeps_reference_tangents)
-      if (has_other_cells_than_boxes())
-        compute_reference_tangents(tangents);
+      compute_reference_tangents(tangents);
   }
 
 
@@ -69,29 +70,17 @@ namespace ElastoPlastic
 
 
   template <int degree, typename StrainMeasure, typename Base>
-  bool
-  MatrixFreeKernel<degree, StrainMeasure, Base>::has_other_cells_than_boxes()
-    const
-  {
-    for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
-      if (matrix_free.get_mapping_info().get_cell_type(batch) !=
-          internal::MatrixFreeFunctions::cartesian)
-        return true;
-    return false;
-  }
-
-
-
-  template <int degree, typename StrainMeasure, typename Base>
   void
   MatrixFreeKernel<degree, StrainMeasure, Base>::compute_reference_tangents(
     Tangents &tangents) const
   {
     Evaluation phi(matrix_free);
-    tangents.reference_tangents.resize_fast(this->n_batches());
     for (unsigned int batch = 0; batch < this->n_batches(); ++batch)
       {
         phi.reinit(batch);
+        if (phi.get_cell_type() == internal::MatrixFreeFunctions::cartesian)
+          continue;
+        tangents.reference_tangents.resize(this->n_batches());
         tangents.reference_tangents[batch] =
           reference_tangent(phi, OfBatch(tangents, batch));
       }

@@ -10,9 +10,9 @@
 
 namespace ElastoPlastic
 {
-  /// A symmetric matrix that nominal stresses, as GradientEntries, are made of
-  /// displacement gradients by. @p Number is what products are computed with,
-  /// or what it becomes for storage.
+  /// The symmetric matrix that makes nominal stresses of displacement
+  /// gradients, both as GradientEntries. @p Number is what products are
+  /// computed with, or what it becomes for storage.
   template <int dim, typename Number>
   struct NominalStiffness
   {
@@ -65,7 +65,7 @@ namespace ElastoPlastic
     }
 
     /// Row by row, from the diagonal on.
-    std::array<Number, n_entries> entries;
+    std::array<Number, n_entries> entries{};
   };
 
 

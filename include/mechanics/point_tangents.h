@@ -6,10 +6,12 @@
 
 #include <deal.II/base/aligned_vector.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
 #include "base/kinematics.h"
+#include "base/packed_lanes.h"
 #include "base/simd.h"
 #include "base/single_precision_storage.h"
 #include "base/tensors.h"
