@@ -36,17 +36,17 @@ namespace
     return {2. * p[0] + 0.3 * p[1], p[1] - 0.4 * p[2], 0.7 * p[2] + 0.2 * p[0]};
   }
 
-  /// (Those with x = 0 remain boxes.)
+  /// (Those below z = 1/2 remain boxes, which fill batches of their own.)
   Point<dim>
   bent(const Point<dim> &p)
   {
-    const double x = std::max(p[0] - 1. / 3., 0.);
-    return {p[0] + 0.3 * x * p[1], p[1] + 0.3 * x * p[2], p[2] - 0.4 * x};
+    const double z = std::max(p[2] - 0.5, 0.);
+    return {p[0] + 0.4 * z * p[1], p[1] + 0.3 * z * p[0], p[2] - 0.4 * z};
   }
 
 
 
-  /// A body of 27 cells with some positive definite tangents.
+  /// A body of 128 cells with some positive definite tangents.
   class Level
   {
   public:
@@ -60,7 +60,10 @@ namespace
       , tangents(strain_model.has_nominal_tangents())
       , without_reference(strain_model.has_nominal_tangents())
     {
-      GridGenerator::subdivided_hyper_cube(mesh, 3);
+      GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                {4, 4, 8},
+                                                Point<dim>(),
+                                                Point<dim>(1., 1., 1.));
       GridTools::transform(transformation, mesh);
       dof_handler.distribute_dofs(fe);
       constraints = empty_constraints(dof_handler);

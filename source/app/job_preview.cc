@@ -313,7 +313,8 @@ namespace ElastoPlastic
       cost.kilobytes += kilobytes_of_mixed_form;
     if (quick.strain_model.has_nominal_tangents())
       cost.kilobytes += kilobytes_of_nominal_tangents(dim);
-    if (dim == 3 && parameters.geometry.type != "box")
+    if (dim == 3 && (parameters.geometry.type != "box" ||
+                     parameters.geometry.box.circle_radius > 0))
       cost.kilobytes += kilobytes_of_other_cells;
     if (quick.strain_model.is_finite())
       cost.microseconds *= time_of_finite_strain;
