@@ -116,8 +116,8 @@ namespace ElastoPlastic
                const Tangents                  &tangents) const = 0;
 
     /// To be called when the @p tangents are complete, before products with
-    /// them. Where that pays, it computes the matrices of the cells or, of
-    /// tangents that are constant on cells, their ReferenceTangents.
+    /// them. Where that pays, it computes the matrices of the cells or,
+    /// on levels in space, the ReferenceTangents of those that are no boxes.
     virtual void
     prepare_products(Tangents &tangents) const = 0;
 

@@ -173,10 +173,10 @@ namespace ElastoPlastic
     reference_tangent(const Evaluation &phi, const OfBatch &tangents) const;
 
     void
-    compute_reference_tangents(Tangents &tangents) const;
+    keep_reference_tangents(Tangents &tangents) const;
 
     void
-    compute_cell_matrices(Tangents &tangents) const;
+    keep_cell_matrices(Tangents &tangents) const;
 
     /// The matrices of the current cells of @p phi, column by column.
     void

@@ -41,16 +41,16 @@ namespace ElastoPlastic
     [[maybe_unused]] Tangents &tangents) const
   {
     if constexpr (keeps_cell_matrices)
-      compute_cell_matrices(tangents);
+      keep_cell_matrices(tangents);
     else if constexpr (keeps_reference_tangents)
-      compute_reference_tangents(tangents);
+      keep_reference_tangents(tangents);
   }
 
 
 
   template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_cell_matrices(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::keep_cell_matrices(
     Tangents &tangents) const
   {
     Evaluation            phi(matrix_free);
@@ -71,7 +71,7 @@ namespace ElastoPlastic
 
   template <int degree, typename StrainMeasure, typename Base>
   void
-  MatrixFreeKernel<degree, StrainMeasure, Base>::compute_reference_tangents(
+  MatrixFreeKernel<degree, StrainMeasure, Base>::keep_reference_tangents(
     Tangents &tangents) const
   {
     Evaluation phi(matrix_free);

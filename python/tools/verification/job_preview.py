@@ -48,6 +48,10 @@ def job_preview(runner):
     usual, incompressible = (numbers(runner.preview("sphere_3d.prm", f"Material/Poisson's ratio={nu}")["Memory"])[0]
                              for nu in (0.3, 0.499))
     runner.verify(f"pressures need memory, too: {usual} MB, {incompressible} MB", incompressible > 1.4 * usual)
+    box = ("Refinement/Elements over contact radius=0", "Geometry/Initial refinements=5")
+    small, finite = (numbers(runner.preview("indentation/sphere_3d.prm", *box, f"Strain={strain}")["Memory"])[0]
+                     for strain in ("small", "logarithmic"))
+    runner.verify(f"so do finite strains: {small} MB, {finite} MB (245 and 306 were measured)", finite > 1.1 * small)
     begin = time.monotonic()
     preview = runner.preview("step42/sphere_uniform_q1.prm", "Geometry/Initial refinements=7")
     runner.compare("unknowns of a mesh that is not made", numbers(preview["First mesh"].split(";")[0])[1],
